@@ -1,0 +1,77 @@
+/** One step from bytes to solid; drives order, progress labels, cache keys, the app's rail, bench and golden names. */
+export interface StageRow {
+  readonly label: string;
+  /** What the stage does, one sentence. */
+  readonly doc: string;
+  /** Paper section or "ours". */
+  readonly source: string;
+  /** Share of a usual run's time, for progress; they sum to 1. */
+  readonly share: number;
+}
+
+export const STAGES = {
+  read: {
+    label: 'Read',
+    doc: 'Bytes become points, thinned on a voxel lattice.',
+    source: 'ours',
+    share: 0.4,
+  },
+  frame: {
+    label: 'Orient',
+    doc: 'The cloud is turned upright and levelled; its unit is judged.',
+    source: '[Stojanovic19] §3',
+    share: 0.1,
+  },
+  outliers: {
+    label: 'Clean',
+    doc: 'Stray points far from every dense cluster go.',
+    source: '[Stojanovic19] §3',
+    share: 0.15,
+  },
+  level: {
+    label: 'Level',
+    doc: 'Three height levels are measured and one is chosen; floor and ceiling are left out.',
+    source: '[Stojanovic19] §3',
+    share: 0.05,
+  },
+  slice: {
+    label: 'Slice',
+    doc: 'The level is sampled uniformly and seen from above.',
+    source: '[Stojanovic19] §4',
+    share: 0.05,
+  },
+  boundary: {
+    label: 'Outline',
+    doc: 'The primary boundary: a concave hull around the slice.',
+    source: '[Stojanovic19] §3',
+    share: 0.1,
+  },
+  regularise: {
+    label: 'Straighten',
+    doc: 'Radial distance, Douglas-Peucker and Visvalingam passes simplify the outline.',
+    source: '[Stojanovic19] §3',
+    share: 0.02,
+  },
+  secondary: {
+    label: 'Structures',
+    doc: 'Secondary boundaries: columns, shafts and cubicles inside the outline.',
+    source: '[Stojanovic19] §3.1',
+    share: 0.05,
+  },
+  plan: {
+    label: 'Plan',
+    doc: 'Outlines become walls of a thickness: the floor plan.',
+    source: '[Stojanovic19] §3',
+    share: 0.03,
+  },
+  solid: {
+    label: 'Model',
+    doc: 'Walls are extruded and secondary boundaries cut out or added: the 3D model.',
+    source: '[Stojanovic19] §3.2',
+    share: 0.05,
+  },
+} as const satisfies Record<string, StageRow>;
+
+export type StageName = keyof typeof STAGES;
+
+export const STAGE_NAMES = Object.keys(STAGES) as readonly StageName[];

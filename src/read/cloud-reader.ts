@@ -1,0 +1,42 @@
+import type { Unit, Warning } from '../core/types.ts';
+import type { ByteSource } from './source.ts';
+
+/** Some tens of thousands of points on their way from a reader to the thinning. The arrays may be used again. */
+export interface PointChunk {
+  readonly count: number;
+  /** x, y, z a point, float64, source axes, units and coordinates; entries past 3 · count are stale. */
+  readonly xyz: Float64Array;
+  readonly colour?: Uint8Array;
+  readonly intensity?: Float32Array;
+  readonly classification?: Uint8Array;
+  readonly station?: Uint16Array;
+}
+
+/** A cloud whose header has been read. */
+export interface OpenCloud {
+  /** Two columns only: a ready slice in the plan frame. */
+  readonly isSlice: boolean;
+  readonly unit?: Unit;
+  readonly crs?: string;
+  /** Points the header announces; undefined where it does not. */
+  readonly pointsAnnounced?: number;
+  /** Points in file order, NaN and infinite ones included. @throws FloorPlanError input/… */
+  chunks(progress: ReadProgress): AsyncIterable<PointChunk>;
+  /** Filled while reading. */
+  readonly warnings: Warning[];
+}
+
+/** Called by a reader after each chunk of bytes. @throws cancelled, when the person has asked */
+export type ReadProgress = (bytesRead: number) => void;
+
+/** A row of READ_FORMATS. */
+export interface ReadFormat {
+  readonly label: string;
+  /** Without the dot, lower case. */
+  readonly extensions: readonly string[];
+  readonly doc: string;
+  /** Whether the first bytes (up to 64 KiB) are of this format, whatever the name. */
+  detect(head: Uint8Array): boolean;
+  /** Reads the header. @throws FloorPlanError input/… */
+  open(source: ByteSource): Promise<OpenCloud>;
+}

@@ -1,0 +1,11 @@
+/** A getter of bytes: a file dropped in a page, a URL, a file under Node. Offsets and sizes in bytes. */
+export interface ByteSource {
+  /** File name without folders; hints at the format when the content does not tell. */
+  readonly name: string;
+  /** Undefined where a server does not say. */
+  readonly size: number | undefined;
+  /** All bytes in order, in chunks of bounded size; may be called again to read once more. */
+  stream(): AsyncIterable<Uint8Array>;
+  /** Bytes from `begin` up to but without `end`; fewer at the end of the source. */
+  slice(begin: number, end: number): Promise<Uint8Array>;
+}
