@@ -1,10 +1,62 @@
-import { defineConfig } from 'vitest/config';
+import { readFileSync } from 'node:fs';
+import { defineConfig, type UserConfig } from 'vitest/config';
 
-export default defineConfig({
+const manifest = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8'));
+
+/** Left to the consumer's own build: packages of the manifest, so that nobody ships two copies of three. */
+const external = [
+  ...Object.keys(manifest.dependencies),
+  ...Object.keys(manifest.peerDependencies),
+  ...Object.keys(manifest.optionalDependencies),
+].map((name) => new RegExp(`^${name}(/|$)`));
+
+/** The static site around the element. Relative paths, so that it runs from any folder. */
+const site: UserConfig = { base: './', build: { outDir: 'dist/site', target: 'es2023' } };
+
+/** The doors of the package: library, element class, registration, worker. */
+const library: UserConfig = {
+  publicDir: false,
+  build: {
+    outDir: 'dist',
+    emptyOutDir: false,
+    target: 'es2023',
+    minify: false,
+    lib: {
+      entry: {
+        index: 'src/index.ts',
+        element: 'src/element/floor-plan.ts',
+        define: 'src/element/define.ts',
+        worker: 'src/worker/entry.ts',
+      },
+      formats: ['es'],
+    },
+    rolldownOptions: { external },
+  },
+};
+
+/** The command: one file that needs nothing but Node and, for one filter, a canvas. */
+const command: UserConfig = {
+  publicDir: false,
+  define: { GRUNDRISS_VERSION: JSON.stringify(manifest.version) },
+  ssr: { noExternal: true, external: ['@napi-rs/canvas'] },
+  build: {
+    ssr: 'src/cli/main.ts',
+    outDir: 'dist',
+    emptyOutDir: false,
+    target: 'node20',
+    minify: false,
+    rolldownOptions: { output: { entryFileNames: 'cli.js', codeSplitting: false } },
+  },
+};
+
+const builds: Record<string, UserConfig> = { lib: library, cli: command };
+
+export default defineConfig(({ mode }) => ({
+  ...(builds[mode] ?? site),
   test: {
     include: ['tests/{unit,property,golden,accuracy}/**/*.test.ts'],
     testTimeout: 60_000,
     // The CSG packages resolve to CommonJS under Node and would load a second three.
     server: { deps: { inline: ['three-csg-ts'] } },
   },
-});
+}));

@@ -107,7 +107,7 @@ export const PARAMS = {
   }),
   unit: choice(['auto', 'm', 'cm', 'mm', 'ft', 'us-ft', 'px'], {
     default: 'auto',
-    stage: 'frame',
+    stage: 'read',
     label: 'Unit',
     doc: 'Unit of the source coordinates; auto takes it from the file, else judges it from storey height and extent.',
     source: 'ours',
@@ -460,3 +460,8 @@ type ValueOf<Row> = Row extends RowFacts<infer T> ? T : never;
 export type Options = { readonly [K in ParamName]: ValueOf<(typeof PARAMS)[K]> };
 
 export const PARAM_NAMES = Object.keys(PARAMS) as readonly ParamName[];
+
+/** `wallThickness` → `wall-thickness`: a parameter's spelling as a flag and as an attribute. */
+export function kebabCase(name: string): string {
+  return name.replace(/(?<=[a-z])(?=[A-Z])|(?<=[a-z])(?=\d)|(?<=\d)(?=[A-Z])/g, '-').toLowerCase();
+}

@@ -48,6 +48,8 @@ export interface Scan {
   /** x, y, z a point, source axes and units, relative to `origin`; sorted by lattice cell, so file order is forgotten. */
   readonly positions: Float32Array;
   readonly origin: Vec3;
+  /** Of every finite point read, kept or not; source axes, units and coordinates. */
+  readonly bounds: { readonly min: Vec3; readonly max: Vec3 };
   readonly attributes: PointAttributes;
   /** Edge of the thinning cell in source units; 0 where every point was kept. */
   readonly cellSize: number;

@@ -1,4 +1,10 @@
+import { polygonArea } from '../core/geometry/ring.ts';
+import { vertexCount } from '../core/pipeline.ts';
 import type { Axis, Unit, Warning } from '../core/types.ts';
+import { checkSolid } from '../solid/check-solid.ts';
+import type { RunResult } from './result.ts';
+
+/** What `report.json` holds. Heights of levels in metres above the floor. */
 export interface Report {
   readonly version: 1;
   readonly input: {
@@ -32,4 +38,59 @@ export interface Report {
   readonly totalMs: number;
   readonly peakMemoryMB?: number;
   readonly warnings: readonly Warning[];
+}
+
+/**
+ * The numbers of a run, as `report.json` gives them.
+ *
+ * @param totalMs wall time of the whole run
+ * @param peakMemoryMB highest resident memory, where the environment knows it
+ */
+export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: number): Report {
+  const { scan, cloud, levels, boundary, plan, solid, stages, warnings } = result;
+  const { name, format, bytes, pointsRead, pointsKept } = scan.facts;
+  const { up, unit } = cloud.frame;
+  return {
+    version: 1,
+    input: { name, format, bytes, pointsRead, pointsKept, up, unit, bounds: scan.bounds },
+    levels,
+    boundary: {
+      method: boundary.method,
+      vertices: vertexCount(plan.storeys.flatMap(({ primary }) => primary)),
+      areaM2: round(sum(plan.storeys.flatMap(({ primary }) => primary.map(polygonArea)))),
+    },
+    secondary: plan.storeys.flatMap(({ secondary }) =>
+      secondary.map(({ operation, type, outline }) => ({
+        operation,
+        type,
+        vertices: vertexCount([outline]),
+        areaM2: round(polygonArea(outline)),
+      })),
+    ),
+    rooms: plan.storeys.flatMap(({ rooms }) =>
+      rooms.map((room) => ({
+        name: room.name,
+        areaM2: round(polygonArea(room.outline)),
+        heightM: round(room.height),
+      })),
+    ),
+    mesh: {
+      vertices: solid.positions.length / 3,
+      triangles: solid.indices.length / 3,
+      watertight: checkSolid(solid).watertight,
+    },
+    stages: stages.map(({ name: stage, ms }) => ({ name: stage, ms: round(ms) })),
+    totalMs: round(totalMs),
+    ...(peakMemoryMB === undefined ? {} : { peakMemoryMB: round(peakMemoryMB) }),
+    warnings,
+  };
+}
+
+function sum(values: readonly number[]): number {
+  return values.reduce((total, value) => total + value, 0);
+}
+
+/** To a ten-thousandth: 0.1 mm, 1 cm², 0.1 µs. */
+function round(value: number): number {
+  return Math.round(value * 1e4) / 1e4;
 }

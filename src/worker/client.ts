@@ -1,23 +1,193 @@
+import { FloorPlanError, fromPlainError } from '../core/errors.ts';
 import type { Options } from '../core/params.ts';
-import type { Progress } from '../session/result.ts';
-import type { PlanView } from './protocol.ts';
+import type { Progress } from '../core/pipeline.ts';
+import type { Warning } from '../core/types.ts';
+import type { ExportedFile, PlanView, Request, Response } from './protocol.ts';
+import { type Line, openMainThread, openWorker, type Spawn, spawnOrder } from './spawn.ts';
 
 export interface ClientEvents {
   onProgress?(progress: Progress): void;
+  /** A sample of the points read so far: source units, relative to the first point. */
   onPreview?(positions: Float32Array): void;
+  /** The environment gave less than hoped for, e.g. no worker. */
+  onWarning?(warning: Warning): void;
 }
 
-/** The pipeline off the main thread. The latest request wins; an overtaken one rejects with `cancelled`. */
-export declare class PlanClient {
-  constructor(events?: ClientEvents, spawn?: () => Worker);
-  /** Reads a scan and makes its plan. @throws FloorPlanError */
-  load(source: Blob | string, name: string, options: Partial<Options>): Promise<PlanView>;
-  /** Runs again with other options, from the first stage they touch. @throws FloorPlanError */
-  update(options: Partial<Options>): Promise<PlanView>;
-  /** Files of one write format (several for a building of several storeys). @throws FloorPlanError */
-  export(format: string): Promise<readonly { name: string; blob: Blob }[]>;
+interface Pending {
+  readonly request: Request;
+  resolve(answer: PlanView | readonly ExportedFile[]): void;
+  reject(error: unknown): void;
+}
+
+interface Loaded {
+  readonly source: Blob | string;
+  readonly name: string;
+  options: Partial<Options>;
+}
+
+type RequestBody = Request extends infer R ? (R extends Request ? Omit<R, 'id'> : never) : never;
+
+/**
+ * The pipeline off the main thread. The latest load or update wins; an overtaken one rejects with `cancelled`.
+ * Cancelling ends the worker, which frees its memory at once; the last good scan is read again when it is next needed.
+ */
+export class PlanClient {
+  readonly #events: ClientEvents;
+  readonly #spawns: Spawn[];
+  readonly #pending = new Map<number, Pending>();
+  #line: Line | null = null;
+  #isReady = false;
+  #lastId = 0;
+  /** What the page shows. */
+  #loaded: Loaded | null = null;
+  /** What is being read. */
+  #loading: Loaded | null = null;
+  /** Whether the worker holds the scan that the page shows. */
+  #holdsLoaded = false;
+
+  constructor(events: ClientEvents = {}, spawn?: Spawn) {
+    this.#events = events;
+    this.#spawns = [...spawnOrder(spawn)];
+  }
+
+  /** Reads a scan and makes its plan; a URL is taken relative to the page. @throws FloorPlanError */
+  async load(source: Blob | string, name: string, options: Partial<Options> = {}): Promise<PlanView> {
+    if (this.#isRunning) this.cancel();
+    const absolute = typeof source === 'string' ? new URL(source, globalThis.document?.baseURI).href : source;
+    const loading = { source: absolute, name, options };
+    this.#loading = loading;
+    try {
+      const view = await this.#ask<PlanView>({ kind: 'load', ...loading });
+      this.#loaded = loading;
+      this.#holdsLoaded = true;
+      return view;
+    } finally {
+      if (this.#loading === loading) this.#loading = null;
+    }
+  }
+
+  /** Makes the plan again with other options, from the first stage they touch. @throws FloorPlanError */
+  async update(options: Partial<Options>): Promise<PlanView> {
+    if (!this.#loaded)
+      throw new FloorPlanError('input/empty', 'There is no scan yet.', { hint: 'Load one first.' });
+    this.#overtake();
+    const view = this.#holdsLoaded
+      ? await this.#ask<PlanView>({ kind: 'update', options })
+      : await this.load(this.#loaded.source, this.#loaded.name, options);
+    this.#loaded.options = options;
+    return view;
+  }
+
+  /** Files of one write format, several for a building of several storeys. @throws FloorPlanError */
+  async export(format: string): Promise<readonly ExportedFile[]> {
+    if (this.#loaded && !this.#holdsLoaded && !this.#isRunning) {
+      const { source, name, options } = this.#loaded;
+      await this.load(source, name, options);
+    }
+    return this.#ask<readonly ExportedFile[]>({ kind: 'export', format });
+  }
+
   /** Stops at once; pending calls reject with `cancelled`; the last plan can still be updated and exported. */
-  cancel(): void;
+  cancel(): void {
+    this.#close();
+    this.#rejectAll(new FloorPlanError('cancelled', 'The run was cancelled.'));
+  }
+
   /** Ends the worker for good. */
-  dispose(): void;
+  dispose(): void {
+    this.cancel();
+    this.#loaded = null;
+  }
+
+  get #isRunning(): boolean {
+    return [...this.#pending.values()].some(({ request }) => request.kind !== 'export');
+  }
+
+  #ask<Answer extends PlanView | readonly ExportedFile[]>(body: RequestBody): Promise<Answer> {
+    const request: Request = { ...body, id: ++this.#lastId };
+    return new Promise((resolve, reject) => {
+      this.#pending.set(request.id, { request, resolve: resolve as Pending['resolve'], reject });
+      if (!this.#line) this.#open();
+      else if (this.#isReady) this.#line.send(request);
+    });
+  }
+
+  /** Rejects the updates under way: a newer one makes their results stale. */
+  #overtake(): void {
+    for (const [id, { request, reject }] of this.#pending) {
+      if (request.kind !== 'update') continue;
+      this.#pending.delete(id);
+      reject(new FloorPlanError('cancelled', 'A newer request overtook this one.'));
+    }
+  }
+
+  #open(): void {
+    const events = { onResponse: (r: Response) => this.#receive(r), onBroken: () => this.#broke() };
+    this.#isReady = false;
+    const [spawn] = this.#spawns;
+    if (!spawn) {
+      this.#events.onWarning?.({
+        code: 'environment/worker',
+        message: 'No worker could be started, so the plan is made on the page itself, which may stall.',
+        hint: "Allow worker-src blob: in the page's content security policy, or give the element a worker.",
+      });
+      this.#line = openMainThread(events);
+      return;
+    }
+    try {
+      this.#line = openWorker(spawn, events);
+    } catch {
+      this.#broke();
+    }
+  }
+
+  /** A line that never got ready is replaced by the next way to a worker; one that did has died. */
+  #broke(): void {
+    const wasReady = this.#isReady;
+    this.#close();
+    if (wasReady) {
+      const hint = 'The scan may need more memory than the browser gives; lower the point budget.';
+      this.#rejectAll(new FloorPlanError('environment/worker', 'The worker stopped unexpectedly.', { hint }));
+      return;
+    }
+    this.#spawns.shift();
+    this.#open();
+  }
+
+  #close(): void {
+    this.#line?.close();
+    this.#line = null;
+    this.#isReady = false;
+    this.#holdsLoaded = false;
+  }
+
+  #rejectAll(error: FloorPlanError): void {
+    const waiting = [...this.#pending.values()];
+    this.#pending.clear();
+    for (const { reject } of waiting) reject(error);
+  }
+
+  #receive(response: Response): void {
+    if (response.kind === 'ready') {
+      this.#isReady = true;
+      for (const { request } of this.#pending.values()) this.#line?.send(request);
+      return;
+    }
+    const pending = this.#pending.get(response.id);
+    if (!pending) return;
+    switch (response.kind) {
+      case 'progress':
+        this.#events.onProgress?.(response.progress);
+        return;
+      case 'preview':
+        this.#events.onPreview?.(response.positions);
+        return;
+      case 'error':
+        pending.reject(fromPlainError(response.error));
+        break;
+      default:
+        pending.resolve(response.kind === 'view' ? response.view : response.files);
+    }
+    this.#pending.delete(response.id);
+  }
 }

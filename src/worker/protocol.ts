@@ -1,8 +1,8 @@
 import type { PlainError } from '../core/errors.ts';
 import type { Options } from '../core/params.ts';
+import type { Progress, StageReport } from '../core/pipeline.ts';
 import type { FloorPlan, Level, SecondaryResult, Slice, Solid } from '../core/types.ts';
 import type { Report } from '../session/report.ts';
-import type { Progress, StageReport } from '../session/result.ts';
 
 /** What the page needs to show a plan; arrays are transferred or copied, never shared. */
 export interface PlanView {
@@ -28,6 +28,11 @@ export interface CloudView {
   readonly total: number;
 }
 
+export interface ExportedFile {
+  readonly name: string;
+  readonly blob: Blob;
+}
+
 /** Page → worker. `id` pairs a request with its answer. */
 export type Request =
   | {
@@ -50,6 +55,6 @@ export type Response =
   | {
       readonly kind: 'files';
       readonly id: number;
-      readonly files: readonly { readonly name: string; readonly blob: Blob }[];
+      readonly files: readonly ExportedFile[];
     }
   | { readonly kind: 'error'; readonly id: number; readonly error: PlainError };

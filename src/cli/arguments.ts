@@ -1,0 +1,90 @@
+import { FloorPlanError } from '../core/errors.ts';
+import { parseParam } from '../core/options.ts';
+import { kebabCase, type Options, PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
+import { WRITE_FORMATS } from '../write/formats.ts';
+
+/** What a person asked of the command. */
+export interface Command {
+  readonly inputs: readonly string[];
+  readonly folder: string;
+  readonly formats: readonly string[];
+  readonly options: Partial<Options>;
+  /** Errors as JSON. */
+  readonly isJson: boolean;
+  readonly task: 'run' | 'help' | 'version';
+}
+
+const PARAM_OF_FLAG = new Map<string, ParamName>(PARAM_NAMES.map((name) => [`--${kebabCase(name)}`, name]));
+
+/**
+ * Reads the words after the command's name. A flag's value follows it or stands behind `=`; a flag parameter needs none.
+ *
+ * @throws option/unknown, option/invalid
+ */
+export function parseArguments(words: readonly string[]): Command {
+  const inputs: string[] = [];
+  const options: Partial<Options> = {};
+  let folder = '';
+  let formats: readonly string[] = Object.keys(WRITE_FORMATS);
+  let isJson = false;
+  let task: Command['task'] = 'run';
+
+  const queue = [...words];
+  while (queue.length > 0) {
+    const word = queue.shift()!;
+    const [flag, inline] = splitFlag(word);
+    const value = (): string => inline ?? queue.shift() ?? missingValue(flag);
+    const param = PARAM_OF_FLAG.get(flag);
+    if (param) {
+      const needsValue = PARAMS[param].kind !== 'flag' || queue[0] === 'true' || queue[0] === 'false';
+      Object.assign(options, parseParam(param, needsValue ? value() : (inline ?? '')));
+    } else if (flag.startsWith('--no-') && isFlagParam(flag)) {
+      Object.assign(options, parseParam(PARAM_OF_FLAG.get(`--${flag.slice(5)}`)!, 'false'));
+    } else if (flag === '-o' || flag === '--out') folder = value();
+    else if (flag === '--formats') formats = parseFormats(value());
+    else if (flag === '--json') isJson = true;
+    else if (flag === '-h' || flag === '--help') task = 'help';
+    else if (flag === '--version') task = 'version';
+    else if (word.startsWith('-') && word !== '-') unknownFlag(flag);
+    else inputs.push(word);
+  }
+  if (task === 'run') checkComplete(inputs, folder);
+  return { inputs, folder, formats, options, isJson, task };
+}
+
+function splitFlag(word: string): [flag: string, inline: string | undefined] {
+  const at = word.startsWith('--') ? word.indexOf('=') : -1;
+  return at < 0 ? [word, undefined] : [word.slice(0, at), word.slice(at + 1)];
+}
+
+function isFlagParam(noFlag: string): boolean {
+  const param = PARAM_OF_FLAG.get(`--${noFlag.slice(5)}`);
+  return param !== undefined && PARAMS[param].kind === 'flag';
+}
+
+function parseFormats(text: string): readonly string[] {
+  const names = text.split(',').map((name) => name.trim());
+  for (const name of names) {
+    if (name === 'report' || Object.hasOwn(WRITE_FORMATS, name)) continue;
+    throw new FloorPlanError('option/invalid', `--formats: no format "${name}"`, {
+      hint: `Formats are ${Object.keys(WRITE_FORMATS).join(', ')}.`,
+    });
+  }
+  return names.filter((name) => name !== 'report');
+}
+
+function checkComplete(inputs: readonly string[], folder: string): void {
+  const usage = 'grundriss INPUT… -o DIR; see grundriss --help.';
+  if (inputs.length === 0) throw new FloorPlanError('option/invalid', 'No input was named.', { hint: usage });
+  if (!folder) throw new FloorPlanError('option/invalid', 'No output folder was named.', { hint: usage });
+}
+
+function missingValue(flag: string): never {
+  throw new FloorPlanError('option/invalid', `${flag}: expected a value, found the end`, {
+    hint: 'See grundriss --help.',
+  });
+}
+
+function unknownFlag(flag: string): never {
+  throw new FloorPlanError('option/unknown', `${flag}: no such option`, { hint: 'See grundriss --help.' });
+}

@@ -1,0 +1,61 @@
+import {
+  type AutoNumberRow,
+  kebabCase,
+  type NumberRow,
+  PARAM_NAMES,
+  PARAMS,
+  type ParamRow,
+} from '../core/params.ts';
+import { STAGE_NAMES, STAGES } from '../core/stages.ts';
+import { READ_FORMATS } from '../read/formats.ts';
+import { WRITE_FORMATS } from '../write/formats.ts';
+
+/** The text of `grundriss --help`, made from the tables. */
+export function helpText(): string {
+  const reads = Object.values(READ_FORMATS).map((format) => format.label);
+  const writes = Object.entries(WRITE_FORMATS).map(([name, { doc }]) => `  ${name.padEnd(13)}${doc}`);
+  const params = STAGE_NAMES.flatMap((stage) => {
+    const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage);
+    return names.length === 0 ? [] : [`\n  ${STAGES[stage].label}`, ...names.map(paramLine)];
+  });
+  return `grundriss INPUT… -o DIR [--formats a,b,…] [--json] [--PARAMETER value]…
+
+Turns indoor point clouds into floor plans. Reads ${reads.join(', ')}.
+One input writes its files into DIR, several into DIR/<input name>/.
+The last line of standard output is the report as JSON.
+
+Formats (all, unless --formats names some; report.json always):
+${writes.join('\n')}
+
+Parameters:${params.join('\n')}
+
+Exit codes: 0 done, 2 options, 3 input, 4 no plan, 5 environment, 70 a bug, 130 cancelled.
+`;
+}
+
+function paramLine(name: (typeof PARAM_NAMES)[number]): string {
+  const row: ParamRow = PARAMS[name];
+  return `  --${kebabCase(name)} ${valueWords(row)}\n      ${row.doc} Default ${String(row.default)}.`;
+}
+
+/** What a value may be: `0 to 5 m`, `density|count`. */
+export function valueWords(row: ParamRow): string {
+  switch (row.kind) {
+    case 'number':
+      return rangeWords(row);
+    case 'auto-number':
+      return `auto|${rangeWords(row)}`;
+    case 'flag':
+      return 'true|false';
+    case 'choice':
+      return row.choices.join('|');
+    case 'choice-list':
+      return `${row.choices.join('|')},…`;
+    case 'level':
+      return 'auto|0|1|2|low:high';
+  }
+}
+
+function rangeWords({ min, max, unit }: NumberRow | AutoNumberRow): string {
+  return `${min} to ${max}${unit ? ` ${unit}` : ''}`;
+}

@@ -1,0 +1,109 @@
+#!/usr/bin/env node
+import { join } from 'node:path';
+import { FloorPlanError, type PlainError, toPlainError } from '../core/errors.ts';
+import type { Progress } from '../core/pipeline.ts';
+import { STAGES } from '../core/stages.ts';
+import { urlSource } from '../read/url-source.ts';
+import { makeReport, type Report } from '../session/report.ts';
+import { baseName, Session } from '../session/session.ts';
+import { type Command, parseArguments } from './arguments.ts';
+import { createStrokeTest } from './canvas-stroke.ts';
+import { helpText } from './help.ts';
+import { nodeSource } from './node-source.ts';
+import { writeFolder } from './write-folder.ts';
+
+declare const GRUNDRISS_VERSION: string;
+
+process.exitCode = await main(process.argv.slice(2));
+
+/** @returns the exit code of `design contract`: 0 done, 2 options, 3 input, 4 no plan, 5 environment, 130, 70 */
+async function main(words: readonly string[]): Promise<number> {
+  const controller = new AbortController();
+  process.once('SIGINT', () => controller.abort());
+  try {
+    const command = parseArguments(words);
+    if (command.task === 'help') process.stdout.write(helpText());
+    else if (command.task === 'version') process.stdout.write(`${GRUNDRISS_VERSION}\n`);
+    else await runAll(command, controller.signal);
+    return 0;
+  } catch (error) {
+    const plain = toPlainError(error);
+    process.stderr.write(
+      words.includes('--json') ? `${JSON.stringify({ error: plain })}\n` : errorLine(plain),
+    );
+    if (plain.code === 'bug' && error instanceof Error) process.stderr.write(`${error.stack}\n`);
+    return exitCode(plain.code);
+  }
+}
+
+async function runAll(command: Command, signal: AbortSignal): Promise<void> {
+  const folders = outputFolders(command);
+  for (const [i, input] of command.inputs.entries()) {
+    const report = await runOne(input, folders[i], command, signal);
+    process.stdout.write(`${JSON.stringify(report)}\n`);
+  }
+}
+
+/** One input writes into the folder itself, several into a folder each; equal names are numbered. */
+function outputFolders({ inputs, folder }: Command): readonly string[] {
+  if (inputs.length === 1) return [folder];
+  const taken = new Set<string>();
+  return inputs.map((input) => {
+    const name = baseName(fileName(input));
+    let unique = name;
+    for (let n = 2; taken.has(unique); n++) unique = `${name}-${n}`;
+    taken.add(unique);
+    return join(folder, unique);
+  });
+}
+
+async function runOne(input: string, folder: string, command: Command, signal: AbortSignal): Promise<Report> {
+  const session = new Session({ now: () => performance.now(), strokeTest: createStrokeTest(), breathe });
+  const bar = progressBar(fileName(input));
+  const start = performance.now();
+  const source = /^https?:/.test(input) ? urlSource(input) : await nodeSource(input);
+  try {
+    const result = await session.load(source, command.options, { signal, onProgress: bar.show });
+    const files = command.formats.flatMap((format) => session.write(format));
+    const memory = process.resourceUsage().maxRSS / 1024;
+    const report = makeReport(result, performance.now() - start, memory);
+    const all = [...files, { name: 'report.json', content: `${JSON.stringify(report, null, 2)}\n` }];
+    if (signal.aborted) throw new FloorPlanError('cancelled', 'The run was cancelled.');
+    await writeFolder(folder, all);
+    return report;
+  } finally {
+    bar.end();
+  }
+}
+
+/** A line on a terminal that tells stage and share; nothing elsewhere. */
+function progressBar(title: string): { show(progress: Progress): void; end(): void } {
+  const width = 24;
+  if (!process.stderr.isTTY) return { show: () => {}, end: () => {} };
+  return {
+    show({ stage, share }) {
+      const done = Math.round(share * width);
+      const bar = '█'.repeat(done) + '░'.repeat(width - done);
+      process.stderr.write(`\r\x1b[K${title} ${bar} ${Math.round(share * 100)} % ${STAGES[stage].label}`);
+    },
+    end: () => void process.stderr.write('\r\x1b[K'),
+  };
+}
+
+function errorLine({ code, message, hint }: PlainError): string {
+  return `grundriss: ${code}: ${message}${hint ? ` (${hint})` : ''}\n`;
+}
+
+function exitCode(code: string): number {
+  const codes: Record<string, number> = { option: 2, input: 3, result: 4, environment: 5, cancelled: 130 };
+  return codes[code.split('/')[0]] ?? 70;
+}
+
+function fileName(input: string): string {
+  return input.split(/[\\/]/).pop() || input;
+}
+
+/** Lets SIGINT be seen between stages. */
+function breathe(): Promise<void> {
+  return new Promise((resolve) => setImmediate(resolve));
+}

@@ -1,0 +1,29 @@
+/**
+ * The library: bytes → Scan → FloorPlan → Solid → bytes, in Node, worker and browser.
+ *
+ * @module
+ */
+
+export type { StrokeTest } from './core/context.ts';
+export { FloorPlanError } from './core/errors.ts';
+export { parseParam, resolveOptions } from './core/options.ts';
+export {
+  kebabCase,
+  type Options,
+  PARAM_NAMES,
+  PARAMS,
+  type ParamName,
+  type ParamRow,
+} from './core/params.ts';
+export type { PipelineHooks, Progress, StageReport } from './core/pipeline.ts';
+export { STAGE_NAMES, STAGES, type StageName } from './core/stages.ts';
+export type * from './core/types.ts';
+export { blobSource } from './read/blob-source.ts';
+export { READ_FORMATS } from './read/formats.ts';
+export type { ByteSource } from './read/source.ts';
+export { urlSource } from './read/url-source.ts';
+export { makeReport, type Report } from './session/report.ts';
+export type { RunResult } from './session/result.ts';
+export { Session, type SessionControl } from './session/session.ts';
+export { WRITE_FORMATS } from './write/formats.ts';
+export type { WrittenFile } from './write/plan-writer.ts';

@@ -1,0 +1,113 @@
+import { FloorPlanError } from '../core/errors.ts';
+import { resolveOptions } from '../core/options.ts';
+import type { Options } from '../core/params.ts';
+import { type PipelineHooks, PipelineRun, planScan, type RunControl, StageCache } from '../core/pipeline.ts';
+import { readScan } from '../read/read-scan.ts';
+import type { ByteSource } from '../read/source.ts';
+import { makeSolid } from '../solid/make-solid.ts';
+import { writeFiles } from '../write/formats.ts';
+import type { Product, WrittenFile } from '../write/plan-writer.ts';
+import type { RunResult } from './result.ts';
+
+export interface SessionControl extends RunControl {
+  /** A sample of the points read so far: source units, relative to the first point. */
+  onPreview?(positions: Float32Array): void;
+  readonly signal?: AbortSignal;
+}
+
+interface OpenSource {
+  readonly source: ByteSource;
+  readonly cache: StageCache;
+}
+
+/**
+ * One person's work on one scan: reads it, makes its plan, makes it again when a parameter changes, writes files.
+ * The same in worker, command and library. A source that fails leaves the one before it open.
+ */
+export class Session {
+  readonly #hooks: PipelineHooks;
+  #open: OpenSource | null = null;
+  #result: RunResult | null = null;
+
+  constructor(hooks: PipelineHooks) {
+    this.#hooks = hooks;
+  }
+
+  /** The last good run. */
+  get result(): RunResult | null {
+    return this.#result;
+  }
+
+  /** Reads a scan and makes its plan. @throws FloorPlanError */
+  async load(
+    source: ByteSource,
+    given: Partial<Options> = {},
+    control: SessionControl = {},
+  ): Promise<RunResult> {
+    const opened = { source, cache: new StageCache() };
+    const result = await this.#run(opened, given, control);
+    this.#open = opened;
+    this.#result = result;
+    return result;
+  }
+
+  /** Makes the plan again, from the first stage whose parameters changed. @throws FloorPlanError */
+  async update(given: Partial<Options>, control: SessionControl = {}): Promise<RunResult> {
+    if (!this.#open) throw noScan();
+    this.#result = await this.#run(this.#open, given, control);
+    return this.#result;
+  }
+
+  /** The files of one write format. @throws option/invalid for an unknown format */
+  write(format: string): readonly WrittenFile[] {
+    if (!this.#result) throw noScan();
+    return writeFiles(productOf(this.#result), format);
+  }
+
+  async #run(
+    { source, cache }: OpenSource,
+    given: Partial<Options>,
+    control: SessionControl,
+  ): Promise<RunResult> {
+    const run = new PipelineRun(cache, this.#hooks, control);
+    const readOptions = resolveOptions(given);
+    const scan = await run.stage(
+      'read',
+      readOptions,
+      async (context) => {
+        const read = await readScan(source, readOptions, {
+          signal: control.signal,
+          onPreview: control.onPreview,
+          onProgress: (share) => context.progress(share),
+        });
+        for (const warning of read.warnings) context.warn(warning);
+        return read;
+      },
+      ({ facts }) =>
+        `${facts.pointsKept.toLocaleString('en-GB')} of ${facts.pointsRead.toLocaleString('en-GB')} points`,
+    );
+    const options = resolveOptions(given, scan);
+    const planned = await planScan(scan, options, run);
+    const solid = await run.stage(
+      'solid',
+      options,
+      (context) => makeSolid(planned.plan, options, context),
+      ({ indices }) => `${(indices.length / 3).toLocaleString('en-GB')} triangles`,
+    );
+    return { ...planned, options, scan, solid, stages: run.stages, warnings: run.warnings };
+  }
+}
+
+/** What the writers draw on. */
+export function productOf({ scan, plan, slice, solid }: RunResult): Product {
+  return { name: baseName(scan.facts.name), plan, slice, solid };
+}
+
+/** `scan.ply.gz` → `scan`; a name that is all extension stays. */
+export function baseName(fileName: string): string {
+  return fileName.replace(/(?<=.)\.[^.]{1,5}(\.(gz|zip))?$/i, '');
+}
+
+function noScan(): FloorPlanError {
+  return new FloorPlanError('input/empty', 'There is no scan yet.', { hint: 'Load a scan first.' });
+}

@@ -1,0 +1,132 @@
+import { execFile } from 'node:child_process';
+import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { BAD_INPUTS } from '../../bad-inputs.ts';
+
+const root = resolve(import.meta.dirname, '../../..');
+const sample = join(root, 'public/samples/home.ply');
+const hallway = join(root, 'public/samples/hallway.csv');
+let folder = '';
+
+beforeAll(async () => {
+  folder = await mkdtemp(join(tmpdir(), 'grundriss-'));
+});
+afterAll(() => rm(folder, { recursive: true, force: true }));
+
+interface Outcome {
+  readonly exitCode: number;
+  readonly stdout: string;
+  readonly stderr: string;
+  readonly ms: number;
+}
+
+function grundriss(...words: string[]): Promise<Outcome> {
+  const start = performance.now();
+  return new Promise((done) => {
+    const child = execFile(process.execPath, [join(root, 'dist/cli.js'), ...words], (_, stdout, stderr) => {
+      done({ exitCode: child.exitCode ?? -1, stdout, stderr, ms: performance.now() - start });
+    });
+  });
+}
+
+describe('a good scan', () => {
+  it('becomes every file of the contract, and a true report', async () => {
+    const out = join(folder, 'all');
+    const { exitCode, stdout, stderr } = await grundriss(sample, '-o', out);
+    expect(stderr).toBe('');
+    expect(exitCode).toBe(0);
+    const contract = ['svg', 'minimal.svg', 'geojson', 'dxf', 'glb', 'json', 'frame.json'].map(
+      (end) => `plan.${end}`,
+    );
+    expect((await readdir(out)).sort()).toEqual(
+      [...contract, 'slice.csv', 'rooms.csv', 'report.json'].sort(),
+    );
+    const report = JSON.parse(stdout.trim().split('\n').at(-1)!);
+    expect(report).toEqual(JSON.parse(await readFile(join(out, 'report.json'), 'utf8')));
+    const header = (await readFile(sample)).subarray(0, 300).toString('latin1');
+    expect(report.input.pointsRead).toBe(Number(/element vertex (\d+)/.exec(header)![1]));
+    expect(report.input.bytes).toBe((await readFile(sample)).length);
+    expect(report.mesh.watertight).toBe(true);
+    expect(report.levels.filter((level: { chosen: boolean }) => level.chosen)).toHaveLength(1);
+  });
+
+  it('gives equal bytes for equal input', async () => {
+    const [a, b] = [join(folder, 'a'), join(folder, 'b')];
+    await grundriss(sample, '-o', a);
+    await grundriss(sample, '-o', b);
+    for (const name of await readdir(a)) {
+      if (name === 'report.json') continue;
+      expect((await readFile(join(a, name))).equals(await readFile(join(b, name))), name).toBe(true);
+    }
+  });
+
+  it('writes several inputs into folders and only the formats asked for', async () => {
+    const out = join(folder, 'several');
+    const { exitCode, stdout } = await grundriss(
+      sample,
+      hallway,
+      sample,
+      '-o',
+      out,
+      '--formats',
+      'geojson,report',
+    );
+    expect(exitCode).toBe(0);
+    expect(stdout.trim().split('\n')).toHaveLength(3);
+    expect((await readdir(out)).sort()).toEqual(['hallway', 'home', 'home-2']);
+    expect((await readdir(join(out, 'home-2'))).sort()).toEqual(['plan.geojson', 'report.json']);
+  });
+});
+
+describe('bad input', () => {
+  it.each(BAD_INPUTS.map((bad) => [bad.name, bad] as const))(
+    '%s gives its error and leaves nothing',
+    async (_, bad) => {
+      const input = join(folder, bad.name);
+      const out = join(folder, `out-${bad.name}`);
+      await writeFile(input, bad.bytes);
+      const { exitCode, stdout, stderr, ms } = await grundriss(input, '-o', out);
+      expect(stderr).toMatch(new RegExp(`^grundriss: ${bad.code}: [^\n]+ \\([^\n]+\\)\n$`));
+      expect(stderr).toMatch(bad.says);
+      expect(exitCode).toBe(3);
+      expect(stdout).toBe('');
+      expect(ms).toBeLessThan(5000);
+      await expect(readdir(out)).rejects.toThrow('ENOENT');
+    },
+  );
+
+  it('tells errors as JSON when asked', async () => {
+    const { stderr } = await grundriss(join(folder, 'absent.ply'), '-o', folder, '--json');
+    expect(JSON.parse(stderr).error).toMatchObject({ code: 'input/unreadable' });
+  });
+});
+
+describe('bad words', () => {
+  it.each([
+    [['--epsilon', 'wide', sample, '-o', 'x'], /option\/invalid: epsilon/],
+    [['--eplison', '1', sample, '-o', 'x'], /option\/unknown: --eplison/],
+    [['--formats', 'svg,pdx', sample, '-o', 'x'], /option\/invalid: --formats/],
+    [[sample], /option\/invalid: No output folder/],
+    [['-o', 'x'], /option\/invalid: No input/],
+    [[sample, '-o'], /option\/invalid: -o: expected a value/],
+  ])('%j exit with 2', async (words, says) => {
+    const { exitCode, stderr } = await grundriss(...words);
+    expect(stderr).toMatch(says);
+    expect(exitCode).toBe(2);
+  });
+
+  it('prints help and version', async () => {
+    expect((await grundriss('--help')).stdout).toContain('--wall-thickness');
+    expect((await grundriss('--version')).stdout).toMatch(/^\d+\.\d+\.\d+\n$/);
+  });
+
+  it('says so when the folder cannot be written', async () => {
+    const file = join(folder, 'a-file');
+    await writeFile(file, '');
+    const { exitCode, stderr } = await grundriss(sample, '-o', join(file, 'below'));
+    expect(stderr).toMatch(/environment\/file-system/);
+    expect(exitCode).toBe(5);
+  });
+});
