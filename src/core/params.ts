@@ -185,6 +185,18 @@ export const PARAMS = {
     source: '[Stojanovic19] §3.1',
     advanced: true,
   }),
+  wallReach: number({
+    default: 0.6,
+    paper: 0,
+    min: 0,
+    max: 1,
+    step: 0.05,
+    unit: '',
+    stage: 'slice',
+    label: 'Wall reach',
+    doc: 'Points stay when something stands over them in this share of the height from the level to the ceiling; keeps window reveals and furniture out; 0 keeps all.',
+    source: 'ours',
+  }),
   samplesPer50M2: number({
     default: 50_000,
     min: 100,

@@ -22,6 +22,7 @@ import type {
   Slice,
   Warning,
 } from './types.ts';
+import { keepWallColumns } from './wall-columns.ts';
 
 /** Where a run stands. */
 export interface Progress {
@@ -191,7 +192,10 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
   const slice = await run.stage(
     'slice',
     options,
-    () => makeSlice(cloud, level.indices, level.band, options),
+    (context) => {
+      const standing = keepWallColumns(cloud, kept, level, options, context);
+      return makeSlice(cloud, standing, level.band, options);
+    },
     ({ xy }) => count(xy.length / 2, 'point'),
   );
   const boundary = await run.stage(
@@ -221,7 +225,7 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
         made.push(warning);
         context.warn(warning);
       };
-      const parts = { source: scan.facts, cloud, slice, boundary, regularised, secondary, options };
+      const parts = { source: scan.facts, cloud, kept, boundary, regularised, secondary, options };
       const draft = makePlan(parts, { ...context, warn });
       return { ...draft, warnings: [...run.warnings, ...made] };
     },

@@ -1,0 +1,133 @@
+import { alphaShape } from './boundary/alpha-shape.ts';
+import { closeGaps, probeClosedEdges, warnOfGaps } from './boundary/bridged-gaps.ts';
+import { concavemanRing } from './boundary/concaveman-ring.ts';
+import { openGift } from './boundary/gift-opening.ts';
+import type { StageContext } from './context.ts';
+import { FloorPlanError } from './errors.ts';
+import { convexHull } from './geometry/convex-hull.ts';
+import { distinctPoints } from './geometry/point-order.ts';
+import { orientation } from './geometry/predicates.ts';
+import { signedArea } from './geometry/rings.ts';
+import { meanSpacing } from './geometry/spacing.ts';
+import type { Options } from './params.ts';
+import type { Boundary, Polygon, Ring, Slice } from './types.ts';
+
+/** Opening length `auto`, in mean spacings … */
+const OPENING_SPACINGS = 8;
+/** … and at least this, m: shorter, the ring would follow the noise of a wall instead of the wall. */
+const SHORTEST_OPENING = 0.1;
+/** α `auto`, in mean spacings, and at least, m. */
+const ALPHA_SPACINGS = 8;
+const SHORTEST_ALPHA = 0.1;
+/** Narrower gaps are not told of: a door frame, a cupboard's shadow. */
+const NARROWEST_GAP = 0.2;
+/** An outline with less than this share of its convex hull's area has fallen through a gap wider than `bridgeGap`. */
+const LEAST_FILL = 0.25;
+
+/**
+ * The primary boundary of a slice [Stojanovic19] §3: gift opening by default, the other methods beside it.
+ *
+ * @param slice x, y a point, m, plan frame; the order of the points does not matter
+ * @returns simple rings, outer ones counter-clockwise, holes clockwise; one polygon but for the α-shape
+ * @throws result/no-boundary when the slice is empty or α leaves no triangle; input/not-finite; input/degenerate when
+ *   all points lie on one line
+ */
+export function findBoundary(slice: Slice, options: Options, context: StageContext): Boundary {
+  checkFinite(slice.xy);
+  const points = distinctPoints(slice.xy).xy;
+  checkSpread(points);
+  const spacing = slice.spacing > 0 ? slice.spacing : meanSpacing(points);
+  const plain = { method: options.boundary, openingLength: 0, gaps: [] };
+  switch (options.boundary) {
+    case 'gift-opening':
+      return giftBoundary(points, spacing, options, context);
+    case 'convex':
+      return { ...plain, polygons: [asPolygon(convexHull(points))] };
+    case 'concaveman':
+      return { ...plain, polygons: [asPolygon(concavemanRing(points, options.concavity))] };
+    case 'alpha-shape':
+      return { ...plain, polygons: alphaPolygons(points, spacing, options) };
+  }
+}
+
+function giftBoundary(
+  points: Float64Array,
+  spacing: number,
+  options: Options,
+  context: StageContext,
+): Boundary {
+  const automatic = Math.max(SHORTEST_OPENING, OPENING_SPACINGS * spacing);
+  const openingLength = options.openingLength === 'auto' ? automatic : options.openingLength;
+  const supportLength = Math.max(NARROWEST_GAP, automatic);
+  // An edge over a gap ends at the last points beside it, up to a step away on either side.
+  const bridgeLimit = options.bridgeGap > 0 ? options.bridgeGap + supportLength : 0;
+  const rules = { openingLength, supportLength, bridgeLimit, spacing };
+  const opening = openGift(points, rules);
+  probeClosedEdges(opening, rules);
+  const { ring, gaps } = closeGaps(opening, options.bridgeGap);
+  warnOfGaps(gaps, context);
+  warnOfCollapse(opening.area, points, options, context);
+  return { method: 'gift-opening', polygons: [asPolygon(ring)], openingLength, gaps };
+}
+
+function warnOfCollapse(area: number, points: Float64Array, options: Options, context: StageContext): void {
+  const share = area / signedArea(convexHull(points));
+  if (share >= LEAST_FILL) return;
+  context.warn({
+    code: 'boundary/collapsed',
+    message: `The outline holds only ${(100 * share).toFixed(0)} % of the area of its convex hull; it may have fallen into the rooms.`,
+    hint: `Raise the opening length, or bridgeGap, now ${options.bridgeGap} m.`,
+  });
+}
+
+function alphaPolygons(points: Float64Array, spacing: number, options: Options): readonly Polygon[] {
+  const automatic = Math.max(SHORTEST_ALPHA, ALPHA_SPACINGS * spacing);
+  const alpha = options.alpha === 'auto' ? automatic : options.alpha;
+  const polygons = alphaShape(points, alpha);
+  if (polygons.length > 0) return polygons;
+  throw new FloorPlanError(
+    'result/no-boundary',
+    `expected triangles of radius up to ${alpha} m, found none`,
+    {
+      hint: 'Raise alpha, or let it be auto.',
+      detail: { alpha },
+    },
+  );
+}
+
+function asPolygon(outer: Ring): Polygon {
+  return { outer, holes: [] };
+}
+
+function checkFinite(xy: Float64Array): void {
+  for (let i = 0; i < xy.length; i++) {
+    if (Number.isFinite(xy[i])) continue;
+    throw new FloorPlanError(
+      'input/not-finite',
+      `slice point ${i >> 1}: expected a finite coordinate, found ${xy[i]}`,
+      {
+        hint: 'Remove points without coordinates from the slice.',
+        detail: { point: i >> 1 },
+      },
+    );
+  }
+}
+
+function checkSpread(points: Float64Array): void {
+  const n = points.length >> 1;
+  if (n === 0) {
+    throw new FloorPlanError('result/no-boundary', 'expected points in the slice, found none', {
+      hint: 'Choose another level or a wider height band.',
+    });
+  }
+  for (let i = 2; i < points.length - 2; i += 2) {
+    const last = points.length - 2;
+    if (orientation(points[0], points[1], points[last], points[last + 1], points[i], points[i + 1]) !== 0)
+      return;
+  }
+  throw new FloorPlanError(
+    'input/degenerate',
+    `expected three points or more that are not on one line, found ${n} distinct points${n > 2 ? ' on one line' : ''}`,
+    { hint: 'Choose another level, a wider height band, or check the up axis.', detail: { points: n } },
+  );
+}

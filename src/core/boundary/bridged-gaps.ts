@@ -1,0 +1,111 @@
+import type { StageContext } from '../context.ts';
+import { orientation } from '../geometry/predicates.ts';
+import type { Gap, Ring } from '../types.ts';
+import { missingCorner } from './gap-corner.ts';
+import { probeEdge } from './gift-opening.ts';
+import { coordinatesOf, lengthOf, ringPoints } from './hull-ring.ts';
+import type { Opening, OpeningRules } from './opening.ts';
+import { findOpeningPoint } from './opening-point.ts';
+import { continuesWalls } from './wall-run.ts';
+
+/** A gap lies in a wall: the outline turns by less than this at its ends, not back as at a stray point. Cosine of 80°. */
+const LEAST_COSINE = 0.17;
+/** Gaps told one by one in the warning; the rest are counted. */
+const TOLD = 3;
+
+/**
+ * Finds the gaps beneath edges the opening length left alone: each is opened on trial down to `supportLength`. So a
+ * gap is a gap at every opening length.
+ */
+export function probeClosedEdges(opening: Opening, rules: OpeningRules): void {
+  const { next } = opening.hull;
+  if (rules.openingLength <= rules.supportLength || rules.bridgeLimit === 0) return;
+  const probe = { ...rules, openingLength: rules.supportLength };
+  for (const a of ringPoints(opening.hull)) {
+    const length = lengthOf(opening.hull, a);
+    const isLong = length > rules.supportLength && length <= rules.bridgeLimit;
+    if (next[a] >= 0 && isLong && length <= rules.openingLength) probeEdge(opening, probe, a);
+  }
+}
+
+/**
+ * The ring of an opening with the corners that gaps took away put back, and the gaps, widest first.
+ *
+ * A put-back corner is the one vertex that is no point of the slice; it splits its gap in two.
+ */
+export function closeGaps(
+  opening: Opening,
+  longestLeg: number,
+): { readonly ring: Ring; readonly gaps: Gap[] } {
+  const { hull, bridges } = opening;
+  const { x, y } = hull.grid;
+  const gaps: Gap[] = [];
+  let ring = coordinatesOf(hull);
+  for (let k = 0; k < bridges.length; k += 2) {
+    const [a, b] = [bridges[k], bridges[k + 1]];
+    if (!continuesWalls(hull, a, LEAST_COSINE)) continue;
+    const from = [x[a], y[a]] as const;
+    const to = [x[b], y[b]] as const;
+    const edge = vertexAt(ring, from);
+    const corner = missingCorner(ring, edge, longestLeg);
+    if (corner === null || hidesPoint(opening, a, corner)) gaps.push(gapBetween(from, to));
+    else {
+      ring = withVertex(ring, edge, corner);
+      gaps.push(gapBetween(from, corner), gapBetween(corner, to));
+    }
+  }
+  gaps.sort((p, q) => q.width - p.width || p.from[0] - q.from[0] || p.from[1] - q.from[1]);
+  return { ring, gaps };
+}
+
+/** Tells of bridged gaps: `boundary/gap-bridged`, places and widths in metres, plan frame. */
+export function warnOfGaps(gaps: readonly Gap[], context: StageContext): void {
+  if (gaps.length === 0) return;
+  const told = gaps.slice(0, TOLD).map(({ from, to, width }) => {
+    const x = (from[0] + to[0]) / 2;
+    const y = (from[1] + to[1]) / 2;
+    return `${width.toFixed(2)} m wide at (${x.toFixed(2)}, ${y.toFixed(2)})`;
+  });
+  const more = gaps.length > TOLD ? `, and ${gaps.length - TOLD} narrower` : '';
+  const count = gaps.length === 1 ? 'a gap' : `${gaps.length} gaps`;
+  context.warn({
+    code: 'boundary/gap-bridged',
+    message: `The outline bridges ${count} in the walls: ${told.join(', ')}${more}.`,
+    hint: 'A door, a window or a stretch the scanner did not see; bridgeGap sets how wide a gap is bridged.',
+  });
+}
+
+/** Whether a point may lie between the bridge a → next[a] and a corner: one that sees it under angles as small. */
+function hidesPoint({ hull }: Opening, a: number, [cornerX, cornerY]: Gap['from']): boolean {
+  const { x, y } = hull.grid;
+  const b = hull.next[a];
+  const p = findOpeningPoint(hull, a, b);
+  if (p < 0 || orientation(x[a], y[a], x[b], y[b], cornerX, cornerY) <= 0) return false;
+  const cosines = (px: number, py: number) => [
+    cosine(x[b] - x[a], y[b] - y[a], px - x[a], py - y[a]),
+    cosine(x[a] - x[b], y[a] - y[b], px - x[b], py - y[b]),
+  ];
+  return Math.min(...cosines(x[p], y[p])) >= Math.min(...cosines(cornerX, cornerY));
+}
+
+function cosine(ux: number, uy: number, vx: number, vy: number): number {
+  return (ux * vx + uy * vy) / Math.hypot(ux, uy) / Math.hypot(vx, vy);
+}
+
+function gapBetween(from: Gap['from'], to: Gap['to']): Gap {
+  return { from, to, width: Math.hypot(to[0] - from[0], to[1] - from[1]) };
+}
+
+function vertexAt(ring: Ring, [x, y]: Gap['from']): number {
+  for (let i = 0; i < ring.length; i += 2) if (ring[i] === x && ring[i + 1] === y) return i / 2;
+  return -1;
+}
+
+function withVertex(ring: Ring, after: number, [x, y]: Gap['from']): Ring {
+  const larger = new Float64Array(ring.length + 2);
+  const at = 2 * after + 2;
+  larger.set(ring.subarray(0, at));
+  larger.set([x, y], at);
+  larger.set(ring.subarray(at), at + 2);
+  return larger;
+}

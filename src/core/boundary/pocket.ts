@@ -1,0 +1,123 @@
+import type { HullRing } from './hull-ring.ts';
+
+/** A pocket may widen behind its mouth by this much per metre of depth: walls up to 6° off parallel. */
+const WIDENING = 0.1;
+/** A pocket may slant by this much per metre of depth, either way: 45°. */
+const STEEPEST_SLANT = 1;
+/** A pocket may take this share of the area the ring encloses. */
+const LARGEST_SHARE = 0.5;
+/** A mouth no wider than a thick wall, m, … */
+const CAVITY_MOUTH = 0.5;
+/** … with a pocket deeper than this many mouths, leads into the hollow between a wall's two faces. */
+const CAVITY_DEPTHS = 4;
+
+/**
+ * An edge under trial: what lies behind it is opened to the end, and then judged.
+ *
+ * Behind the mouth of a recess its scanned sides keep the outline within a strip that starts from the mouth, straight
+ * or slanting. Behind a gap in a wall lies a room, wider than the gap: the outline fits no such strip, or what it
+ * holds on to is thin air.
+ */
+export interface Pocket {
+  readonly ax: number;
+  readonly ay: number;
+  /** Along the mouth; the depth direction is (-uy, ux). */
+  readonly ux: number;
+  readonly uy: number;
+  readonly length: number;
+  /** How far beside the mouth noise may put a point, m. */
+  readonly tolerance: number;
+  /** Area of the ring before, m². */
+  readonly areaBefore: number;
+  readonly outer: Pocket | null;
+  /** Slants (sideways per depth) of the strips that hold all points so far. */
+  leastSlant: number;
+  mostSlant: number;
+  depth: number;
+}
+
+/** A pocket before anything is opened. */
+export function startPocket(
+  { grid: { x, y }, next }: HullRing,
+  a: number,
+  facts: Pick<Pocket, 'length' | 'tolerance' | 'areaBefore' | 'outer'>,
+): Pocket {
+  const b = next[a];
+  return {
+    ...facts,
+    ax: x[a],
+    ay: y[a],
+    ux: (x[b] - x[a]) / facts.length,
+    uy: (y[b] - y[a]) / facts.length,
+    leastSlant: -STEEPEST_SLANT,
+    mostSlant: STEEPEST_SLANT,
+    depth: 0,
+  };
+}
+
+/** Whether the pocket, and every pocket around it, still fits a strip with point p in it. */
+export function fits(pocket: Pocket | null, { grid }: HullRing, p: number): boolean {
+  for (let at = pocket; at !== null; at = at.outer) {
+    const [least, most] = slantsFor(at, grid.x[p], grid.y[p]);
+    if (Math.max(least, at.leastSlant) > Math.min(most, at.mostSlant)) return false;
+  }
+  return true;
+}
+
+/** Takes point p into the pocket and every pocket around it. */
+export function takeIn(pocket: Pocket | null, { grid }: HullRing, p: number): void {
+  for (let at = pocket; at !== null; at = at.outer) {
+    const [least, most, depth] = slantsFor(at, grid.x[p], grid.y[p]);
+    at.leastSlant = Math.max(at.leastSlant, least);
+    at.mostSlant = Math.min(at.mostSlant, most);
+    at.depth = Math.max(at.depth, depth);
+  }
+}
+
+/** What points taken in have changed in the pockets around one, to {@link restore} it. */
+export function snapshot(outer: Pocket | null): number[] {
+  const values: number[] = [];
+  for (let at = outer; at !== null; at = at.outer) values.push(at.leastSlant, at.mostSlant, at.depth);
+  return values;
+}
+
+export function restore(outer: Pocket | null, values: readonly number[]): void {
+  let k = 0;
+  for (let at = outer; at !== null; at = at.outer) {
+    at.leastSlant = values[k++];
+    at.mostSlant = values[k++];
+    at.depth = values[k++];
+  }
+}
+
+/** The slants of strips that hold a point, and its depth. */
+function slantsFor(
+  pocket: Pocket,
+  x: number,
+  y: number,
+): readonly [least: number, most: number, depth: number] {
+  const dx = x - pocket.ax;
+  const dy = y - pocket.ay;
+  const along = dx * pocket.ux + dy * pocket.uy;
+  const depth = Math.max(0, dy * pocket.ux - dx * pocket.uy);
+  const { tolerance } = pocket;
+  const right = along - pocket.length - tolerance;
+  const left = along + tolerance;
+  if (depth === 0)
+    return [
+      right > 0 ? STEEPEST_SLANT + 1 : -STEEPEST_SLANT,
+      left < 0 ? -STEEPEST_SLANT - 1 : STEEPEST_SLANT,
+      0,
+    ];
+  return [right / depth - WIDENING, left / depth + WIDENING, depth];
+}
+
+/** Whether a pocket takes more of the ring than a recess would: the room itself. */
+export function isWholeRoom({ areaBefore }: Pocket, area: number): boolean {
+  return areaBefore - area > LARGEST_SHARE * areaBefore;
+}
+
+/** Whether a pocket is the hollow between the two faces of a wall. */
+export function isCavity({ length, depth }: Pocket): boolean {
+  return length <= CAVITY_MOUTH && depth > CAVITY_DEPTHS * length;
+}

@@ -1,0 +1,110 @@
+import { isBlocked, lengthOf } from './hull-ring.ts';
+import {
+  insertInto,
+  isDeep,
+  leaveClosed,
+  noiseDepth,
+  type Opening,
+  type OpeningRules,
+  takeBack,
+} from './opening.ts';
+import { findOpeningPoint } from './opening-point.ts';
+import {
+  fits,
+  isCavity,
+  isWholeRoom,
+  type Pocket,
+  restore,
+  snapshot,
+  startPocket,
+  takeIn,
+} from './pocket.ts';
+import { continuesWalls } from './wall-run.ts';
+
+/** A recess may leave this share of its mouth's length unsupported, windows say. */
+const UNSUPPORTED_SHARE = 0.95;
+/** Side tolerance of a pocket per metre of mouth. */
+const TOLERANCE_SHARE = 0.02;
+/** Openings in openings; a pocket that needs more stays closed. */
+const DEEPEST = 1_000;
+/** A mouth behind a mouth has a strip of its own where both its walls turn off by less than this: cosine of 45°. */
+const LEAST_COSINE = Math.SQRT1_2;
+
+/**
+ * Opens the edge a → next[a] to p and all that lies behind it, and takes it back when it proves to be no recess.
+ *
+ * Cost of an outline is the length of its edges no points support: those that stay longer than `supportLength`. Each
+ * edge behind the mouth stays closed where that costs less than what opening it leads to, so a window in the side of
+ * a recess is bridged; the mouth itself is opened only when the recess saves a fair share of the mouth's length,
+ * fits a strip ({@link Pocket}), is no hollow wall and not the whole room. Otherwise it is noted as a bridge.
+ */
+export function openOnTrial(opening: Opening, rules: OpeningRules, a: number, p: number): void {
+  openMouth({ opening, rules }, { a, p, length: lengthOf(opening.hull, a), level: 1 }, null);
+}
+
+interface Trial {
+  readonly opening: Opening;
+  readonly rules: OpeningRules;
+}
+
+interface Mouth {
+  readonly a: number;
+  readonly p: number;
+  readonly length: number;
+  readonly level: number;
+}
+
+/** Opens a mouth with a strip of its own; returns the cost of the outline it leaves. */
+function openMouth(trial: Trial, mouth: Mouth, outer: Pocket | null): number {
+  const { opening, rules } = trial;
+  const { a, length } = mouth;
+  const tolerance = Math.max(noiseDepth(rules), TOLERANCE_SHARE * length);
+  const pocket = startPocket(opening.hull, a, { length, tolerance, areaBefore: opening.area, outer });
+  return openBehind(trial, mouth, pocket, outer);
+}
+
+/** Opens an edge behind a mouth as far as it pays; returns the cost of the outline it leaves. */
+function openInner(trial: Trial, a: number, pocket: Pocket, level: number): number {
+  const { opening, rules } = trial;
+  const { hull } = opening;
+  const length = lengthOf(hull, a);
+  if (length <= rules.openingLength) return 0;
+  const p = level > DEEPEST ? -1 : findOpeningPoint(hull, a, hull.next[a]);
+  if (p < 0 || isBlocked(hull, a, p, hull.next[a]) || !fits(pocket, hull, p)) {
+    return leaveClosed(opening, rules, a, length);
+  }
+  const mouth = { a, p, length, level };
+  const isMouth =
+    length <= rules.bridgeLimit && isDeep(opening, rules, a, p) && continuesWalls(hull, a, LEAST_COSINE);
+  return isMouth ? openMouth(trial, mouth, pocket) : openBehind(trial, mouth, pocket, pocket);
+}
+
+/**
+ * Opens an edge to its point, both new edges in turn, the longer first, and takes that back when closed costs less.
+ *
+ * @param pocket the strips to stay in; its own one only when `pocket` is not `outer`
+ */
+function openBehind(trial: Trial, mouth: Mouth, pocket: Pocket, outer: Pocket | null): number {
+  const { opening, rules } = trial;
+  const { hull, log, bridges } = opening;
+  const { a, p, length, level } = mouth;
+  const before = snapshot(outer);
+  const logged = log.length;
+  const bridged = bridges.length;
+  const isOwn = pocket !== outer;
+  const allowed = length > rules.supportLength ? (isOwn ? UNSUPPORTED_SHARE * length : length) : 0;
+  takeIn(pocket, hull, p);
+  insertInto(opening, rules, a, p);
+  const [long, short] = lengthOf(hull, a) >= lengthOf(hull, p) ? [a, p] : [p, a];
+  let cost = openInner(trial, long, pocket, level + 1);
+  if (cost <= allowed) cost += openInner(trial, short, pocket, level + 1);
+  const isHollow = isOwn && cost <= allowed && isCavity(pocket);
+  if (cost <= allowed && !isHollow && !(isOwn && isWholeRoom(pocket, opening.area))) return cost;
+  takeBack(opening, logged);
+  restore(outer, before);
+  bridges.length = bridged;
+  const closed = leaveClosed(opening, rules, a, length);
+  // What lies across the end of a hollow wall is no gap.
+  if (isHollow) bridges.length = bridged;
+  return closed;
+}

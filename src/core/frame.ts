@@ -1,0 +1,255 @@
+import type { StageContext } from './context.ts';
+import { checkSpread } from './frame/check-spread.ts';
+import { fitTilt, MOST_TILT } from './frame/fit-tilt.ts';
+import { findGravity, type Gravity } from './frame/gravity.ts';
+import { findHeightPlanes, type HeightPlane } from './frame/height-planes.ts';
+import { type JudgedUnit, judgeUnitFrom, statedUnit } from './frame/judge-unit.ts';
+import { boundsOf, largestExtent, trimmedBounds } from './frame/robust-scale.ts';
+import {
+  axisVector,
+  multiply,
+  type Rotation,
+  rotate,
+  rotationToZ,
+  uprightRotation,
+} from './frame/rotation.ts';
+import { type SurfacePatches, surfacePatches } from './frame/surface-patches.ts';
+import type { Options } from './params.ts';
+import type { Axis, Frame, PointCloud, Scan, Vec3 } from './types.ts';
+
+/** Cone around up in which a patch counts as floor or ceiling, once the cloud is upright. */
+const FLOOR_COSINE = Math.cos((8 * Math.PI) / 180);
+/** Points within three standard deviations of the noise, and at least a bin of heights, belong to a plane. */
+const PLANE_REACH = 3;
+const PLANE_BINS = 12;
+const REFINE_ROUNDS = 4;
+/** A ready slice narrower than this, m, was hardly drawn in canvas pixels. */
+const LEAST_SLICE = 1;
+/** Trimmed bounds grown by this share hold a centroid's points: all of a clean cloud, no far stray of another. */
+const CENTROID_MARGIN = 0.5;
+
+/**
+ * Turns a cloud upright and into metres: judges its unit, finds up, levels a tilt of up to 15°, finds floor and ceiling.
+ *
+ * [Stojanovic19] §3 does this by hand. The plan frame is right-handed and seen from above; a scan that stands level keeps
+ * its coordinates to the last bit. Levelling is the smallest rotation about the centroid of the points. O(n).
+ *
+ * @param scan source axes and units
+ * @throws input/too-few-points, input/degenerate
+ */
+export function orient(scan: Scan, options: Options, context: StageContext): PointCloud {
+  checkSpread(scan.positions);
+  if (scan.isSlice) return orientSlice(scan, options, context);
+  const flatUp = findFlatAxis(scan, options);
+  if (flatUp) return orientFlat(scan, flatUp, options, context);
+  const patches = surfacePatches(scan.positions);
+  context.progress(0.4);
+  const gravity = findGravity(scan.positions, patches, options.up);
+  if (gravity.isDoubtful) {
+    context.warn({
+      code: 'frame/up-guessed',
+      message: gravity.reason,
+      hint: 'If the plan shows a side view, set the up axis.',
+    });
+  }
+  const known = statedUnit(scan, options);
+  const unit = known ?? judgeUnitFrom(gravity.planes.strong, largestExtent(trimmedBounds(scan.positions)));
+  warnOfGuess(unit, context);
+  const tilted = options.levelling ? findTilt(patches, gravity, context) : null;
+  context.progress(0.6);
+  return uprightCloud({ scan, patches, gravity, unit, tilted });
+}
+
+interface Upright {
+  readonly scan: Scan;
+  readonly patches: SurfacePatches;
+  readonly gravity: Gravity;
+  readonly unit: JudgedUnit;
+  /** True up in plan axes; null for a level scan. */
+  readonly tilted: Vec3 | null;
+}
+
+function uprightCloud({ scan, patches, gravity, unit, tilted }: Upright): PointCloud {
+  const upright = uprightRotation(gravity.up);
+  const rotation = tilted ? multiply(rotationToZ(tilted), upright) : upright;
+  const origin = tilted ? centroidOf(scan) : scan.origin;
+  const frame = makeFrame(scan, {
+    up: gravity.up,
+    unit,
+    origin,
+    rotation,
+    tilt: tilted ? angleOf(tilted) : 0,
+  });
+  const up: Vec3 = [rotation[6], rotation[7], rotation[8]];
+  const { floor, ceiling } = findHeightPlanes(patches, up, FLOOR_COSINE);
+  const lift = up.reduce((sum, u, k) => sum + u * (scan.origin[k] - origin[k]), 0);
+  const positions = toPlan(scan, frame);
+  const reach = unit.metresPerUnit * Math.max(PLANE_REACH * patches.noise, patches.size / PLANE_BINS);
+  const heightOf = (plane: HeightPlane | null) =>
+    plane && refineHeight(positions, unit.metresPerUnit * (plane.height + lift), reach);
+  return {
+    frame,
+    positions,
+    attributes: scan.attributes,
+    floor: heightOf(floor),
+    ceiling: heightOf(ceiling),
+    reasons: { unit: unit.reason, up: gravity.reason },
+    isFlat: false,
+  };
+}
+
+/** Moves a plane's height to the mean of the points around it, again and again: patches are cut at voxel faces. */
+function refineHeight(positions: Float32Array, height: number, reach: number): number {
+  let refined = height;
+  for (let round = 0; round < REFINE_ROUNDS; round++) {
+    let sum = 0;
+    let count = 0;
+    for (let i = 2; i < positions.length; i += 3) {
+      if (Math.abs(positions[i] - refined) > reach) continue;
+      sum += positions[i] - refined;
+      count++;
+    }
+    if (count > 0) refined += sum / count;
+  }
+  return refined;
+}
+
+/** A ready slice lies in the plan frame already. */
+function orientSlice(scan: Scan, options: Options, context: StageContext): PointCloud {
+  const unit = statedUnit(scan, options)!;
+  const extent = largestExtent(boundsOf(scan.positions)) * unit.metresPerUnit;
+  if (extent < LEAST_SLICE && options.unit === 'auto') {
+    context.warn({
+      code: 'frame/small-slice',
+      message: `The slice is ${(extent * 1000).toFixed(0)} mm wide when its unit is ${unit.unit}.`,
+      hint: 'If it was measured in metres, set the unit.',
+    });
+  }
+  const reason = 'A ready slice lies in the plan frame; z is up.';
+  return levelCloud(scan, 'z', unit, reason);
+}
+
+function orientFlat(scan: Scan, up: Axis, options: Options, context: StageContext): PointCloud {
+  context.warn({
+    code: 'frame/flat-cloud',
+    message: `All points have the same height along ${up}: the cloud is taken as a slice.`,
+  });
+  const known = statedUnit(scan, options);
+  const unit = known ?? judgeUnitFrom([], largestExtent(trimmedBounds(scan.positions)));
+  warnOfGuess(unit, context);
+  return levelCloud(scan, up, unit, `${up} is up: all points have the same height along it.`);
+}
+
+/** A cloud without thickness: nothing to level, no floor, no ceiling. */
+function levelCloud(scan: Scan, up: Axis, unit: JudgedUnit, reason: string): PointCloud {
+  const frame = makeFrame(scan, { up, unit, origin: scan.origin, rotation: uprightRotation(up), tilt: 0 });
+  return {
+    frame,
+    positions: toPlan(scan, frame),
+    attributes: scan.attributes,
+    floor: null,
+    ceiling: null,
+    reasons: { unit: unit.reason, up: reason },
+    isFlat: true,
+  };
+}
+
+/** The axis along which all points are equal, of those the person allows. */
+function findFlatAxis({ positions }: Scan, { up }: Options): Axis | null {
+  const { min, max } = boundsOf(positions);
+  const allowed: readonly Axis[] = up === 'auto' ? ['z', 'y', 'x'] : [up];
+  return allowed.find((axis) => axisVector(axis).every((u, k) => u === 0 || max[k] === min[k])) ?? null;
+}
+
+function findTilt(
+  patches: SurfacePatches,
+  { up, normal, planes }: Gravity,
+  context: StageContext,
+): Vec3 | null {
+  const plane = planes.floor ?? planes.ceiling;
+  const tilted = fitTilt(patches, uprightRotation(up), normal, plane);
+  if (!tilted) return null;
+  const angleDeg = (angleOf(tilted) * 180) / Math.PI;
+  if (angleOf(tilted) > MOST_TILT) {
+    context.warn({
+      code: 'frame/tilt-too-large',
+      message: `The floor is tilted by ${angleDeg.toFixed(1)}°; only tilts up to 15° are levelled.`,
+      hint: 'Turn the scan upright before loading it.',
+    });
+    return null;
+  }
+  context.warn({
+    code: 'frame/levelled',
+    message: `The scan was tilted by ${angleDeg.toFixed(1)}° and has been levelled by its ${planes.floor ? 'floor' : 'ceiling'}.`,
+    hint: 'Switch levelling off to keep its own axes.',
+  });
+  return tilted;
+}
+
+function warnOfGuess(unit: JudgedUnit, context: StageContext): void {
+  if (!unit.isGuess) return;
+  context.warn({
+    code: 'frame/unit-guessed',
+    message: unit.reason,
+    hint: 'If sizes look wrong, set the unit.',
+  });
+}
+
+interface FrameParts {
+  readonly up: Axis;
+  readonly unit: JudgedUnit;
+  readonly origin: Vec3;
+  readonly rotation: Rotation;
+  readonly tilt: number;
+}
+
+function makeFrame({ crs }: Scan, { up, unit, origin, rotation, tilt }: FrameParts): Frame {
+  return {
+    origin,
+    planOrigin: rotate(uprightRotation(up), origin),
+    rotation,
+    metresPerUnit: unit.metresPerUnit,
+    unit: unit.unit,
+    up,
+    tilt,
+    ...(crs === undefined ? {} : { crs }),
+  };
+}
+
+function toPlan({ positions, origin }: Scan, frame: Frame): Float32Array {
+  const r = frame.rotation.map((entry) => entry * frame.metresPerUnit);
+  const [dx, dy, dz] = origin.map((o, k) => o - frame.origin[k]);
+  const plan = new Float32Array(positions.length);
+  for (let i = 0; i < positions.length; i += 3) {
+    const x = positions[i] + dx;
+    const y = positions[i + 1] + dy;
+    const z = positions[i + 2] + dz;
+    plan[i] = r[0] * x + r[1] * y + r[2] * z;
+    plan[i + 1] = r[3] * x + r[4] * y + r[5] * z;
+    plan[i + 2] = r[6] * x + r[7] * y + r[8] * z;
+  }
+  return plan;
+}
+
+/** Mean of the points, source coordinates. */
+function centroidOf({ positions, origin }: Scan): Vec3 {
+  const { min, max } = trimmedBounds(positions);
+  const low = min.map((value, k) => value - CENTROID_MARGIN * (max[k] - value));
+  const high = max.map((value, k) => value + CENTROID_MARGIN * (value - min[k]));
+  const sum = [0, 0, 0];
+  let count = 0;
+  for (let i = 0; i < positions.length; i += 3) {
+    const [x, y, z] = [positions[i], positions[i + 1], positions[i + 2]];
+    if (x < low[0] || y < low[1] || z < low[2] || x > high[0] || y > high[1] || z > high[2]) continue;
+    sum[0] += x;
+    sum[1] += y;
+    sum[2] += z;
+    count++;
+  }
+  return [origin[0] + sum[0] / count, origin[1] + sum[1] / count, origin[2] + sum[2] / count];
+}
+
+/** Angle between a unit vector and (0, 0, 1). */
+function angleOf([x, y, z]: Vec3): number {
+  return Math.atan2(Math.hypot(x, y), z);
+}

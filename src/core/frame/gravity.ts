@@ -1,0 +1,103 @@
+import type { Axis, Vec3 } from '../types.ts';
+import { furnitureSide, type RoomGap } from './furniture-side.ts';
+import { alignment, findHeightPlanes, type HeightPlanes } from './height-planes.ts';
+import { axisVector, uprightRotation } from './rotation.ts';
+import type { SurfacePatches } from './surface-patches.ts';
+
+const AXES = ['z', 'y', 'x'] as const;
+/**
+ * How far each axis is trusted before looking. The walls of a corridor narrower than high are a larger opposed pair than its
+ * floor and ceiling; scanners write z up, cameras and game engines y up, hardly anything x up.
+ */
+const TRUST = { z: 1, y: 0.75, x: 0.5 } as const;
+/** A runner-up this close makes the choice doubtful. */
+const DOUBTFUL = 0.9;
+/** Cones around an axis in which normals are averaged, each around the last mean: tilts to 20° are found. */
+const CONES = [20, 8, 4].map((degrees) => Math.cos((degrees * Math.PI) / 180));
+/** A gap between planes shorter than this share of the longest is a slab or a table, not a room. */
+const ROOM_GAP_SHARE = 0.6;
+
+/** Which way is up, and why. */
+export interface Gravity {
+  readonly up: Axis;
+  /** Mean normal of the horizontal patches, source axes, pointing up; the axis itself where there are none. */
+  readonly normal: Vec3;
+  readonly planes: HeightPlanes;
+  readonly reason: string;
+  readonly isDoubtful: boolean;
+}
+
+/**
+ * Finds the gravity axis: the one whose two largest opposed planes cover most area, seen by patches of equal size.
+ *
+ * The paper turns clouds by hand ([Stojanovic19] §3); ours. Floor and ceiling differ by the furniture: more stands on the
+ * floor than hangs from the ceiling; where that is not clear the axis points along itself, not against.
+ *
+ * @param positions the points the patches were fitted to
+ * @param given the axis a person named; nothing is judged then
+ */
+export function findGravity(positions: Float32Array, patches: SurfacePatches, given: Axis | 'auto'): Gravity {
+  if (given !== 'auto') {
+    const { normal, planes } = lookAlong(patches, axisVector(given));
+    return { up: given, normal, planes, reason: `${given} is up because it was given.`, isDoubtful: false };
+  }
+  const seen = AXES.map((axis) => {
+    const along = lookAlong(patches, axisVector(axis));
+    return { axis, ...along, score: TRUST[axis] * along.area };
+  }).sort((a, b) => b.score - a.score);
+  const [best, second] = seen;
+  if (best.score === 0) {
+    return {
+      up: 'z',
+      normal: axisVector('z'),
+      planes: best.planes,
+      reason: 'No floor or ceiling was found; z is up by convention.',
+      isDoubtful: true,
+    };
+  }
+  const rotation = { upright: uprightRotation(best.axis), up: best.normal };
+  const isUpsideDown = furnitureSide(positions, patches, rotation, roomGaps(best.planes)) < 0;
+  const up: Axis = isUpsideDown ? `-${best.axis}` : best.axis;
+  const { normal, planes } = isUpsideDown ? lookAlong(patches, axisVector(up)) : best;
+  const side = isUpsideDown ? '; the furniture side shows that it points down in the file' : '';
+  return {
+    up,
+    normal,
+    planes,
+    reason: `${up} is up: the largest opposed planes lie across ${best.axis}${side}.`,
+    isDoubtful: second.score > DOUBTFUL * best.score,
+  };
+}
+
+function lookAlong(patches: SurfacePatches, axis: Vec3) {
+  const normal = meanNormal(patches, axis);
+  const planes = findHeightPlanes(patches, normal, CONES[0]);
+  const apart = planes.planes.filter(
+    ({ height }) => Math.abs(height - planes.planes[0].height) > 2 * patches.size,
+  );
+  const area = Math.hypot(planes.planes[0]?.area ?? 0, apart[0]?.area ?? 0);
+  return { normal, planes, area };
+}
+
+/** Mean of the normals near `axis`, signs turned alike, in narrowing cones. */
+function meanNormal(patches: SurfacePatches, axis: Vec3): Vec3 {
+  let mean = axis;
+  for (const minCosine of CONES) {
+    const sum = [0, 0, 0];
+    for (let i = 0; i < patches.count; i++) {
+      const cosine = alignment(patches, i, mean);
+      if (Math.abs(cosine) < minCosine) continue;
+      for (let k = 0; k < 3; k++) sum[k] += Math.sign(cosine) * patches.normals[3 * i + k];
+    }
+    const length = Math.hypot(...sum);
+    if (length > 0) mean = [sum[0] / length, sum[1] / length, sum[2] / length];
+  }
+  return mean;
+}
+
+/** Spaces between neighbouring strong planes high enough to be rooms. */
+function roomGaps({ strong }: HeightPlanes): RoomGap[] {
+  const gaps = strong.slice(1).map((plane, i) => ({ low: strong[i].height, high: plane.height }));
+  const longest = Math.max(0, ...gaps.map(({ low, high }) => high - low));
+  return gaps.filter(({ low, high }) => high - low >= ROOM_GAP_SHARE * longest);
+}

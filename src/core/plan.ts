@@ -1,0 +1,98 @@
+import type { StageContext } from './context.ts';
+import { perimeter } from './geometry/rings.ts';
+import { storeyRange } from './level.ts';
+import type { Options } from './params.ts';
+import { strokeContour } from './plan-walls.ts';
+import type {
+  Boundary,
+  FloorPlan,
+  Gap,
+  PointCloud,
+  Polygon,
+  RegularisedBoundary,
+  SecondaryResult,
+  SourceFacts,
+  Wall,
+} from './types.ts';
+
+/** Height of walls where the scan shows none, m: a usual storey. */
+const ASSUMED_WALL_HEIGHT = 2.5;
+
+/** What the stages before have made. */
+export interface PlanParts {
+  readonly source: SourceFacts;
+  readonly cloud: PointCloud;
+  /** Indices of the points that are no outliers. */
+  readonly kept: Uint32Array;
+  readonly boundary: Boundary;
+  readonly regularised: RegularisedBoundary;
+  readonly secondary: SecondaryResult;
+  readonly options: Options;
+}
+
+/**
+ * The floor plan: the regularised boundaries with walls drawn along the primary ones ([Stojanovic19] §3).
+ *
+ * One storey, from the lowest floor to the highest ceiling. `warnings` is left empty for the caller, who knows those of the
+ * whole run.
+ */
+export function makePlan(parts: PlanParts, context: Pick<StageContext, 'warn'>): FloorPlan {
+  const { source, cloud, boundary, regularised, secondary, options } = parts;
+  const { floor, height } = storeyHeights(parts, context);
+  const storey = {
+    index: 0,
+    floor,
+    height,
+    primary: regularised.polygons,
+    secondary: secondary.boundaries,
+    walls: regularised.polygons.flatMap((polygon) => wallsAlong(polygon, boundary.gaps, options)),
+    rooms: [],
+    openings: [],
+    gaps: boundary.gaps,
+  };
+  return { version: 1, source, frame: cloud.frame, options, storeys: [storey], warnings: [] };
+}
+
+/** Height of the floor above the frame's origin and of the walls above the floor, m. */
+function storeyHeights(
+  { cloud, kept, options }: PlanParts,
+  context: Pick<StageContext, 'warn'>,
+): { readonly floor: number; readonly height: number } {
+  const { floor, ceiling } = storeyRange(cloud, kept);
+  if (options.wallHeight !== 'auto') return { floor, height: options.wallHeight };
+  const hint = 'Set the wall height if you know it.';
+  if (cloud.isFlat || ceiling <= floor) {
+    context.warn({
+      code: 'plan/height-assumed',
+      message: `The scan shows no height; walls are taken to be ${ASSUMED_WALL_HEIGHT} m high.`,
+      hint,
+    });
+    return { floor, height: ASSUMED_WALL_HEIGHT };
+  }
+  if (cloud.floor === null || cloud.ceiling === null) {
+    const missing = [cloud.floor === null ? 'floor' : '', cloud.ceiling === null ? 'ceiling' : ''];
+    context.warn({
+      code: 'plan/height-assumed',
+      message: `No ${missing.filter(Boolean).join(' and no ')} was found; the wall height, ${(ceiling - floor).toFixed(2)} m, is taken from the ${cloud.floor === null ? 'lowest' : 'highest'} point.`,
+      hint,
+    });
+  }
+  return { floor, height: ceiling - floor };
+}
+
+/** Walls along one primary polygon: one around it and one around each courtyard. */
+function wallsAlong(polygon: Polygon, gaps: readonly Gap[], { wallThickness, wallSide }: Options): Wall[] {
+  const isCentred = wallSide === 'centre';
+  const reach = isCentred
+    ? { outside: wallThickness / 2, inside: wallThickness / 2 }
+    : { outside: wallThickness, inside: 0 };
+  const confidence = supportedShare(polygon, gaps);
+  return strokeContour(polygon, reach).map((outline) => ({ outline, thickness: wallThickness, confidence }));
+}
+
+/** Share of an outline's length that is no bridged gap. */
+function supportedShare({ outer, holes }: Polygon, gaps: readonly Gap[]): number {
+  const length = [outer, ...holes].reduce((sum, ring) => sum + perimeter(ring), 0);
+  const bridged = gaps.reduce((sum, { width }) => sum + width, 0);
+  return Math.max(0, 1 - bridged / length);
+}

@@ -1,0 +1,129 @@
+import { convexHull } from '../geometry/convex-hull.ts';
+import type { Ring } from '../types.ts';
+
+/** Points are this share of a shape's size off it at most (root mean square) when the shape explains them. */
+const LOOSENESS = 0.05;
+/** Share of a circle's circumference that points must see: less bends too little to tell its radius. */
+const LEAST_ARC = 0.3;
+const ARC_BINS = 36;
+/** Vertices of a completed circle: none turns by more than 5°. */
+const CIRCLE_VERTICES = 72;
+
+/**
+ * The whole of a column whose far side no scanner saw: the circle or rectangle its points lie on.
+ *
+ * Ours. A half circle gives its circle, two faces give their rectangle. Circle by algebraic least squares ([Kåsa76]),
+ * rectangle by the box around the convex hull, with a side on one of the hull's, that runs nearest to the points.
+ *
+ * @param xy x, y a point, m; not all on one line
+ * @returns simple, counter-clockwise; null when neither explains the points
+ */
+export function completeShell(xy: Float64Array): Ring | null {
+  const hull = convexHull(xy);
+  return wholeCircle(xy) ?? wholeRectangle(xy, hull);
+}
+
+function wholeCircle(xy: Float64Array): Ring | null {
+  const circle = fitCircle(xy);
+  if (!circle) return null;
+  const { x, y, radius } = circle;
+  const isSeen = new Uint8Array(ARC_BINS);
+  let squares = 0;
+  for (let i = 0; i < xy.length; i += 2) {
+    squares += (Math.hypot(xy[i] - x, xy[i + 1] - y) - radius) ** 2;
+    const turn = Math.atan2(xy[i + 1] - y, xy[i] - x) / (2 * Math.PI) + 0.5;
+    isSeen[Math.min(ARC_BINS - 1, Math.floor(turn * ARC_BINS))] = 1;
+  }
+  const arc = isSeen.reduce((sum, seen) => sum + seen, 0) / ARC_BINS;
+  if (arc < LEAST_ARC || Math.sqrt((2 * squares) / xy.length) > LOOSENESS * radius) return null;
+  const ring = new Float64Array(2 * CIRCLE_VERTICES);
+  for (let k = 0; k < CIRCLE_VERTICES; k++) {
+    const angle = (2 * Math.PI * k) / CIRCLE_VERTICES;
+    ring[2 * k] = x + radius * Math.cos(angle);
+    ring[2 * k + 1] = y + radius * Math.sin(angle);
+  }
+  return ring;
+}
+
+/** x² + y² + a·x + b·y + c = 0 by least squares, about the mean of the points. */
+function fitCircle(xy: Float64Array): { x: number; y: number; radius: number } | null {
+  const n = xy.length / 2;
+  let [mx, my] = [0, 0];
+  for (let i = 0; i < xy.length; i += 2) {
+    mx += xy[i] / n;
+    my += xy[i + 1] / n;
+  }
+  let [uu, uv, vv, uw, vw, w] = [0, 0, 0, 0, 0, 0];
+  for (let i = 0; i < xy.length; i += 2) {
+    const [u, v] = [xy[i] - mx, xy[i + 1] - my];
+    const square = u * u + v * v;
+    uu += u * u;
+    uv += u * v;
+    vv += v * v;
+    uw += u * square;
+    vw += v * square;
+    w += square;
+  }
+  const determinant = uu * vv - uv * uv;
+  if (determinant <= Number.EPSILON * uu * vv) return null;
+  const x = (uw * vv - vw * uv) / (2 * determinant);
+  const y = (vw * uu - uw * uv) / (2 * determinant);
+  return { x: mx + x, y: my + y, radius: Math.sqrt(x * x + y * y + w / n) };
+}
+
+/** Coordinates along and across a unit direction. */
+interface Box {
+  readonly ux: number;
+  readonly uy: number;
+  readonly minA: number;
+  readonly maxA: number;
+  readonly minB: number;
+  readonly maxB: number;
+}
+
+function wholeRectangle(xy: Float64Array, hull: Ring): Ring | null {
+  let best: Box | null = null;
+  let least = Infinity;
+  let j = hull.length - 2;
+  for (let i = 0; i < hull.length; j = i, i += 2) {
+    const length = Math.hypot(hull[i] - hull[j], hull[i + 1] - hull[j + 1]);
+    const box = boxAlong(hull, (hull[i] - hull[j]) / length, (hull[i + 1] - hull[j + 1]) / length);
+    const distance = distanceToSides(xy, box) / Math.min(box.maxA - box.minA, box.maxB - box.minB);
+    if (distance >= least) continue;
+    least = distance;
+    best = box;
+  }
+  if (!best || least > LOOSENESS) return null;
+  const { ux, uy, minA, maxA, minB, maxB } = best;
+  const corners = [
+    [minA, minB],
+    [maxA, minB],
+    [maxA, maxB],
+    [minA, maxB],
+  ];
+  return Float64Array.from(corners.flatMap(([a, b]) => [a * ux - b * uy, a * uy + b * ux]));
+}
+
+function boxAlong(hull: Ring, ux: number, uy: number): Box {
+  let [minA, maxA, minB, maxB] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (let k = 0; k < hull.length; k += 2) {
+    const along = hull[k] * ux + hull[k + 1] * uy;
+    const across = hull[k + 1] * ux - hull[k] * uy;
+    minA = Math.min(minA, along);
+    maxA = Math.max(maxA, along);
+    minB = Math.min(minB, across);
+    maxB = Math.max(maxB, across);
+  }
+  return { ux, uy, minA, maxA, minB, maxB };
+}
+
+/** Root mean square distance of points in a box to its nearest side. */
+function distanceToSides(xy: Float64Array, { ux, uy, minA, maxA, minB, maxB }: Box): number {
+  let squares = 0;
+  for (let i = 0; i < xy.length; i += 2) {
+    const along = xy[i] * ux + xy[i + 1] * uy;
+    const across = xy[i + 1] * ux - xy[i] * uy;
+    squares += Math.min(along - minA, maxA - along, across - minB, maxB - across) ** 2;
+  }
+  return Math.sqrt((2 * squares) / xy.length);
+}
