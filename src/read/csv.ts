@@ -1,0 +1,68 @@
+import { FloorPlanError } from '../core/errors.ts';
+import type { OpenCloud, ReadFormat } from './cloud-reader.ts';
+import { layOutCsv } from './csv-layout.ts';
+import { HEAD_BYTES, isText, recogniseForeign } from './signatures.ts';
+import type { ByteSource } from './source.ts';
+import { readTextPoints } from './text-points.ts';
+
+/** Looked at where the first 64 KiB hold nothing but comments or very long rows. */
+const LONG_HEAD_BYTES = 1 << 20;
+
+export const CSV_FORMAT: ReadFormat = {
+  label: 'Text table',
+  extensions: ['csv', 'txt', 'xyz', 'tsv', 'asc', 'pts'],
+  doc: 'One point a line; comma, semicolon, tab or blanks; columns by name or position. Two columns are a ready slice.',
+  detect: (head) =>
+    isText(head) && recogniseForeign(head) === null && (layOutCsv(wholeLines(head))?.isSure ?? false),
+  open: openCsv,
+};
+
+/**
+ * Finds out what the columns of a text table are.
+ *
+ * @throws input/empty, input/malformed
+ */
+export async function openCsv(source: ByteSource): Promise<OpenCloud> {
+  const short = await source.slice(0, HEAD_BYTES);
+  const layout =
+    layOutCsv(wholeLines(short)) ??
+    layOutCsv(wholeLines(await source.slice(0, LONG_HEAD_BYTES), LONG_HEAD_BYTES));
+  if (!layout) throw noTable(source, short);
+  const begin = layout.begin;
+  return {
+    isSlice: layout.isSlice,
+    chunks: (progress) => readTextPoints(source, { layout, begin, line: layout.line }, progress),
+    warnings: [],
+  };
+}
+
+/** Without a last line that the end of the head cuts through. */
+function wholeLines(head: Uint8Array, limit = HEAD_BYTES): Uint8Array {
+  if (head.length < limit) return head;
+  const end = Math.max(head.lastIndexOf(10), head.lastIndexOf(13));
+  return end < 0 ? head : head.subarray(0, end + 1);
+}
+
+function noTable({ name }: ByteSource, head: Uint8Array): FloorPlanError {
+  const text = new TextDecoder().decode(head);
+  const rows = text.split(/[\r\n]+/).filter((line) => !/^\s*(#|%|\/\/|$)/.test(line));
+  if (rows.length === 1 && !/\d/.test(rows[0])) {
+    return new FloorPlanError('input/empty', `${name}: expected points after the header, found no points`, {
+      hint: 'Export the cloud again.',
+    });
+  }
+  if (rows.length === 0) {
+    return new FloorPlanError('input/empty', `${name}: found no points, only blank lines and comments`, {
+      hint: 'Export the cloud again.',
+    });
+  }
+  const shown = rows[0].trim().slice(0, 40);
+  return new FloorPlanError(
+    'input/malformed',
+    `${name}: expected rows of two or more numbers, found "${shown}"`,
+    {
+      hint: 'A text table has one point a line: x, y and z, or x and y for a slice.',
+      detail: { line: 1, text: shown },
+    },
+  );
+}

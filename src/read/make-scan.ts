@@ -1,0 +1,86 @@
+import type { Scan, Vec3, Warning } from '../core/types.ts';
+import { orderByCell } from './cell-order.ts';
+import type { OpenCloud } from './cloud-reader.ts';
+import { diagonalOf, powerOfTwoBelow, type Thinning } from './thinning.ts';
+
+/** Points enough to find the middle. */
+const SAMPLE_POINTS = 1 << 12;
+/** Cell that orders a slice, which has none, as a share of its extent. */
+const ORDER_SHARE = 2 ** -15;
+
+export interface ScanFacts {
+  readonly name: string;
+  readonly format: string;
+  readonly bytes: number;
+  readonly cloud: OpenCloud;
+  /** Cell that was asked for, source units. */
+  readonly target: number;
+}
+
+/** The points that thinning kept, in an order that does not depend on the file's. Complexity: O(n). */
+export function makeScan(thinning: Thinning, { name, format, bytes, cloud, target }: ScanFacts): Scan {
+  const { xyz, count, bounds } = thinning;
+  const origin = middleOf(thinning);
+  const cell = thinning.cell || powerOfTwoBelow(diagonalOf(bounds) * ORDER_SHARE);
+  const indices = orderByCell({ xyz, count, cell, centre: origin });
+  return {
+    facts: {
+      name,
+      format,
+      bytes,
+      pointsRead: thinning.read,
+      pointsDropped: thinning.dropped,
+      pointsKept: count,
+    },
+    positions: positionsOf(thinning, indices, origin),
+    origin,
+    bounds: { min: [...bounds.min], max: [...bounds.max] },
+    attributes: thinning.attributesOf(indices),
+    cellSize: thinning.cell,
+    isSlice: cloud.isSlice,
+    ...(cloud.unit && { unit: cloud.unit }),
+    ...(cloud.crs && { crs: cloud.crs }),
+    warnings: [...cloud.warnings, ...warningsOf(thinning, target)],
+  };
+}
+
+/** x, y, z of the points at `indices`, source units, relative to `origin`. */
+export function positionsOf({ xyz }: Thinning, indices: Uint32Array, origin: Vec3): Float32Array {
+  const [x, y, z] = origin;
+  const positions = new Float32Array(3 * indices.length);
+  for (let i = 0; i < indices.length; i++) {
+    const at = 3 * indices[i];
+    positions[3 * i] = xyz[at] - x;
+    positions[3 * i + 1] = xyz[at + 1] - y;
+    positions[3 * i + 2] = xyz[at + 2] - z;
+  }
+  return positions;
+}
+
+/** Median of each axis, rounded down to a whole unit: strays do not move it, and float32 is finest around it. */
+export function middleOf(thinning: Thinning): Vec3 {
+  const sample = thinning.sample(SAMPLE_POINTS);
+  const median = (axis: number) => {
+    const values = Float64Array.from(sample, (index) => thinning.xyz[3 * index + axis]).sort();
+    return Math.floor(values[values.length >> 1]);
+  };
+  return [median(0), median(1), median(2)];
+}
+
+function warningsOf({ dropped, read, cell, count }: Thinning, target: number): Warning[] {
+  const warnings: Warning[] = [];
+  if (dropped > 0) {
+    warnings.push({
+      code: 'read/points-dropped',
+      message: `${dropped} of ${read} points have no finite place and were left out.`,
+    });
+  }
+  if (cell > target) {
+    warnings.push({
+      code: 'read/thinned-to-budget',
+      message: `To stay within the point budget the cloud was thinned to ${count} points, one a cell of ${cell} source units.`,
+      hint: 'Raise the point budget where memory allows.',
+    });
+  }
+  return warnings;
+}

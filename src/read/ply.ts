@@ -1,0 +1,125 @@
+import { FloorPlanError } from '../core/errors.ts';
+import type { OpenCloud, ReadFormat } from './cloud-reader.ts';
+import { columnsOfFields } from './field-names.ts';
+import { readBinaryPly, recordBytes } from './ply-binary.ts';
+import { PLY_SIZES, type PlyElement, type PlyHeader, readPlyHeader } from './ply-header.ts';
+import { type ColourRange, RED, Z } from './point-buffer.ts';
+import { BLANK, LIST } from './row-parser.ts';
+import { latin1 } from './signatures.ts';
+import type { ByteSource } from './source.ts';
+import { readTextPoints } from './text-points.ts';
+
+export const PLY_FORMAT: ReadFormat = {
+  label: 'PLY',
+  extensions: ['ply'],
+  doc: 'Stanford polygon file, text or binary; vertices are read, with colour, intensity and class where present.',
+  detect: (head) => /^ply\s/.test(latin1(head.subarray(0, 4))),
+  open: openPly,
+};
+
+/**
+ * Reads the header of a PLY file [Turk94]; its vertices are the points, all else is passed over.
+ *
+ * @throws input/malformed, input/truncated, input/empty
+ */
+export async function openPly(source: ByteSource): Promise<OpenCloud> {
+  const header = await readPlyHeader(source);
+  const index = header.elements.findIndex(({ name }) => name === 'vertex');
+  const vertex = header.elements[index];
+  const columns = columnsOfFields(
+    vertex?.properties.map(({ name, countType }) => (countType ? '' : name)) ?? [],
+  );
+  assertPoints(source.name, vertex, columns);
+  const elements = header.elements.slice(0, index + 1);
+  assertLongEnough(source, header, elements);
+  return {
+    isSlice: false,
+    pointsAnnounced: vertex.count,
+    chunks: (progress) =>
+      header.format === 'ascii'
+        ? readTextPoints(source, textPoints(header, elements, columns), progress)
+        : readBinaryPly(
+            source,
+            {
+              elements,
+              columns,
+              begin: header.bodyBegin,
+              isLittleEndian: header.format === 'binary_little_endian',
+              colourRange: colourRange(vertex, columns),
+            },
+            progress,
+          ),
+    warnings: [],
+  };
+}
+
+function textPoints(header: PlyHeader, elements: readonly PlyElement[], columns: readonly number[]) {
+  const vertex = elements[elements.length - 1];
+  const targets = vertex.properties.map(({ countType }, property) =>
+    countType ? LIST : columns.indexOf(property),
+  );
+  const lastNeeded = targets.findLastIndex((target) => target >= 0);
+  return {
+    layout: { separator: BLANK, targets: Int8Array.from(targets.slice(0, lastNeeded + 1)) },
+    begin: header.bodyBegin,
+    line: header.bodyLine,
+    rowsBefore: elements.slice(0, -1).reduce((rows, { count }) => rows + count, 0),
+    rows: vertex.count,
+    colourRange: colourRange(vertex, columns),
+  };
+}
+
+function colourRange({ properties }: PlyElement, columns: readonly number[]): ColourRange {
+  const type = properties[columns[RED]]?.type;
+  if (type === 'float' || type === 'double') return 'unit';
+  return type === 'ushort' || type === 'short' ? 'short' : 'byte';
+}
+
+function assertPoints(name: string, vertex: PlyElement | undefined, columns: readonly number[]): void {
+  if (vertex && columns.slice(0, Z + 1).some((column) => column < 0)) {
+    const found = vertex.properties.map((property) => property.name).join(', ');
+    throw new FloorPlanError(
+      'input/malformed',
+      `${name}: expected vertices with the properties x, y and z, found ${found.slice(0, 80) || 'none'}`,
+      { hint: 'Export the cloud with plain x, y and z coordinates.' },
+    );
+  }
+  if (vertex && vertex.count > 0) return;
+  throw new FloorPlanError(
+    'input/empty',
+    `${name}: expected vertices after the PLY header, found no points`,
+    {
+      hint: 'Export the cloud again, with its points.',
+    },
+  );
+}
+
+/** Where the size is known, a header that promises more than the file holds is caught before anything is read. */
+function assertLongEnough(
+  { name, size }: ByteSource,
+  header: PlyHeader,
+  elements: readonly PlyElement[],
+): void {
+  if (size === undefined) return;
+  let needed = header.bodyBegin;
+  for (const element of elements) needed += element.count * leastBytes(header, element);
+  if (header.format === 'ascii') needed -= 1;
+  if (needed <= size) return;
+  const { count } = elements[elements.length - 1];
+  throw new FloorPlanError(
+    'input/truncated',
+    `${name}: expected ${count} points as the header says, at least ${needed} bytes; found the end of the file at byte ${size}`,
+    {
+      hint: 'The file seems cut off; copy or export it again.',
+      detail: { offset: size, needed, announced: count },
+    },
+  );
+}
+
+/** A text value takes a digit and a blank, a list its length. */
+function leastBytes({ format }: PlyHeader, element: PlyElement): number {
+  if (format === 'ascii') return 2 * element.properties.length;
+  const fixed = recordBytes(element);
+  if (fixed !== null) return fixed;
+  return element.properties.reduce((bytes, { type, countType }) => bytes + PLY_SIZES[countType ?? type], 0);
+}

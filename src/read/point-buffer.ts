@@ -1,0 +1,123 @@
+import type { PointChunk } from './cloud-reader.ts';
+
+/** Points handed on at once: some hundred kilobytes, so they stay in cache from decoding to thinning. */
+export const CHUNK_POINTS = 1 << 15;
+
+/** The values a point may have, in the order readers number them. */
+export const FIELDS = ['x', 'y', 'z', 'red', 'green', 'blue', 'intensity', 'classification'] as const;
+export const X = 0;
+export const Z = 2;
+export const RED = 3;
+export const BLUE = 5;
+export const INTENSITY = 6;
+export const CLASSIFICATION = 7;
+
+/** What full colour is in the source; `auto` looks at the first points. */
+export type ColourRange = 'unit' | 'byte' | 'short' | 'auto';
+
+/** Where the values of one field go: the value of point i is `into[first + step · i]`. */
+export interface FieldColumn {
+  readonly into: Float64Array;
+  readonly first: number;
+  readonly step: number;
+}
+
+/** Collects decoded values and hands them on as full chunks, so that chunks do not depend on the bytes' pieces. */
+export class PointBuffer {
+  count = 0;
+  readonly xyz = new Float64Array(3 * CHUNK_POINTS);
+  readonly #values: Float64Array[] = [];
+  readonly #colour: Uint8Array | undefined;
+  readonly #intensity: Float32Array | undefined;
+  readonly #classification: Uint8Array | undefined;
+  readonly #range: ColourRange;
+  #colourScale: number | undefined;
+
+  /** @param has whether the source has a field, by its number in {@link FIELDS} */
+  constructor(has: (field: number) => boolean, range: ColourRange = 'auto') {
+    const hasColour = has(RED) && has(RED + 1) && has(BLUE);
+    this.#range = range;
+    if (hasColour) this.#colour = new Uint8Array(3 * CHUNK_POINTS);
+    if (has(INTENSITY)) this.#intensity = new Float32Array(CHUNK_POINTS);
+    if (has(CLASSIFICATION)) this.#classification = new Uint8Array(CHUNK_POINTS);
+    if (hasColour) this.#values[RED] = new Float64Array(3 * CHUNK_POINTS);
+    if (has(INTENSITY)) this.#values[INTENSITY] = new Float64Array(CHUNK_POINTS);
+    if (has(CLASSIFICATION)) this.#values[CLASSIFICATION] = new Float64Array(CHUNK_POINTS);
+  }
+
+  get free(): number {
+    return CHUNK_POINTS - this.count;
+  }
+
+  /** Where values of a field go from the next free point on, or undefined where the field is of no use. */
+  column(field: number): FieldColumn | undefined {
+    if (field <= Z) return { into: this.xyz, first: 3 * this.count + field, step: 3 };
+    const isColour = field >= RED && field <= BLUE;
+    const into = this.#values[isColour ? RED : field];
+    if (!into) return undefined;
+    return isColour
+      ? { into, first: 3 * this.count + field - RED, step: 3 }
+      : { into, first: this.count, step: 1 };
+  }
+
+  /** Adds one point. @param values by field number; those of fields the source lacks are not looked at */
+  push(values: Float64Array): void {
+    const at = 3 * this.count;
+    this.xyz[at] = values[X];
+    this.xyz[at + 1] = values[X + 1];
+    this.xyz[at + 2] = values[Z];
+    const colour = this.#values[RED];
+    if (colour) {
+      colour[at] = values[RED];
+      colour[at + 1] = values[RED + 1];
+      colour[at + 2] = values[BLUE];
+    }
+    if (this.#intensity) this.#values[INTENSITY][this.count] = values[INTENSITY];
+    if (this.#classification) this.#values[CLASSIFICATION][this.count] = values[CLASSIFICATION];
+    this.count++;
+  }
+
+  /** The points so far, as a chunk whose arrays are used again. */
+  take(): PointChunk {
+    const count = this.count;
+    this.count = 0;
+    if (this.#colour) this.#convertColour(this.#colour, 3 * count);
+    this.#intensity?.set(this.#values[INTENSITY].subarray(0, count));
+    if (this.#classification) copyBytes(this.#values[CLASSIFICATION], this.#classification, count);
+    return {
+      count,
+      xyz: this.xyz,
+      ...(this.#colour && { colour: this.#colour }),
+      ...(this.#intensity && { intensity: this.#intensity }),
+      ...(this.#classification && { classification: this.#classification }),
+    };
+  }
+
+  #convertColour(colour: Uint8Array, length: number): void {
+    const values = this.#values[RED];
+    this.#colourScale ??= colourScale(values, length, this.#range);
+    const scale = this.#colourScale;
+    for (let i = 0; i < length; i++) {
+      const value = values[i] * scale + 0.5;
+      colour[i] = Math.min(255, Math.max(0, value));
+    }
+  }
+}
+
+/** Factor to 0 … 255. Floats go to 1 or, in some files, to 255: the largest of the first chunk tells. */
+function colourScale(values: Float64Array, length: number, range: ColourRange): number {
+  if (range === 'byte') return 1;
+  if (range === 'short') return 255 / 65535;
+  let largest = 0;
+  let hasFraction = range === 'unit';
+  for (let i = 0; i < length; i++) {
+    if (values[i] > largest) largest = values[i];
+    if (values[i] % 1 !== 0) hasFraction = true;
+  }
+  if (largest > 255) return 255 / 65535;
+  return largest <= 1 && hasFraction ? 255 : 1;
+}
+
+function copyBytes(from: Float64Array, to: Uint8Array, count: number): void {
+  for (let i = 0; i < count; i++) to[i] = from[i];
+}

@@ -1,0 +1,161 @@
+import { FloorPlanError } from '../core/errors.ts';
+import { checkSpread } from '../core/frame/check-spread.ts';
+import { judgeUnit } from '../core/frame/judge-unit.ts';
+import type { Options } from '../core/params.ts';
+import type { Scan } from '../core/types.ts';
+import { CELLS_TOLD_APART } from './cell-hash.ts';
+import type { OpenCloud, PointChunk } from './cloud-reader.ts';
+import { openCloud } from './formats.ts';
+import { makeScan, middleOf, positionsOf } from './make-scan.ts';
+import { Preview } from './preview.ts';
+import type { ByteSource } from './source.ts';
+import { diagonalOf, powerOfTwoBelow, Thinning } from './thinning.ts';
+
+export type ReadOptions = Pick<Options, 'resolution' | 'pointBudget' | 'unit' | 'pixelsPerMetre'>;
+
+export interface ReadStatus {
+  /** Bytes fetched; where the source is read twice, those of the first time too. */
+  readonly bytesRead: number;
+  /** Bytes there are to fetch, where the source tells its size; doubles where it is read twice. */
+  readonly totalBytes?: number;
+  readonly points: number;
+}
+
+export interface ReadControl {
+  onProgress?: ((status: ReadStatus) => void) | undefined;
+  /** Now and then, up to 4,096 sampled points: x, y, z, source units, relative to the first. */
+  onPreview?: ((positions: Float32Array) => void) | undefined;
+  readonly signal?: AbortSignal | undefined;
+}
+
+/** Points enough to judge a unit. */
+const JUDGED_POINTS = 1 << 18;
+/** Clouds of fewer points are checked for lying on a line here, others when they are oriented. */
+const CHECKED_POINTS = 1 << 16;
+
+/**
+ * Reads a point cloud and thins it to the working resolution.
+ *
+ * Cells are the largest power of two, in source units, that is not above `resolution`; coarser where more than
+ * `pointBudget` points would be kept. The unit is judged on the first chunk, to start with the right cell, and again at
+ * the end: finer cells are then coarsened, and where coarser ones were used the source is read once more. Ready slices
+ * keep every distinct point up to the budget. The result does not depend on the order of the points.
+ *
+ * @throws input/…, environment/network, environment/memory, cancelled
+ */
+export async function readScan(
+  source: ByteSource,
+  options: ReadOptions,
+  control: ReadControl = {},
+): Promise<Scan> {
+  const { format, cloud } = await openCloud(source);
+  const run: ReadRun = { source, cloud, options, control, bytesBefore: 0, bytesRead: 0, target: 0 };
+  let thinning = await readOnce(run);
+  assertPoints(source.name, thinning);
+  if (!cloud.isSlice) {
+    run.target = targetCell(run, thinning);
+    if (isWrongStart(thinning, run.target)) {
+      run.bytesBefore = run.bytesRead;
+      thinning = await readOnce(run, run.target);
+    } else if (thinning.cell < run.target) {
+      thinning.coarsen(run.target);
+    }
+  }
+  thinning.close();
+  const bytes = source.size ?? run.bytesRead;
+  const scan = makeScan(thinning, { name: source.name, format, bytes, cloud, target: run.target });
+  if (thinning.count <= CHECKED_POINTS) checkSpread(scan.positions);
+  return scan;
+}
+
+interface ReadRun {
+  readonly source: ByteSource;
+  readonly cloud: OpenCloud;
+  readonly options: ReadOptions;
+  readonly control: ReadControl;
+  bytesBefore: number;
+  bytesRead: number;
+  /** Cell that the resolution asks for, source units; 0 for a slice. */
+  target: number;
+}
+
+async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
+  const { cloud, options, control } = run;
+  const preview = control.onPreview && run.bytesBefore === 0 ? new Preview(control.onPreview) : null;
+  let thinning: Thinning | null = null;
+  const chunks = cloud.chunks((bytesRead) => {
+    run.bytesRead = bytesRead;
+    report(run, thinning?.read ?? 0);
+  });
+  // Half: most scans lose more than that to thinning, and a table that proves too small grows once.
+  const expected = (cloud.pointsAnnounced ?? 0) / 2;
+  for await (const chunk of chunks) {
+    thinning ??= new Thinning({ cell: cell ?? firstCell(run, chunk), budget: options.pointBudget, expected });
+    thinning.add(chunk);
+    preview?.add(chunk);
+  }
+  preview?.flush();
+  if (!thinning) throw noPoints(run.source.name);
+  report(run, thinning.read);
+  return thinning;
+}
+
+function report({ source, control, bytesBefore, bytesRead }: ReadRun, points: number): void {
+  if (control.signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
+  control.onProgress?.({
+    bytesRead: bytesBefore + bytesRead,
+    ...(source.size !== undefined && { totalBytes: source.size * (bytesBefore > 0 ? 2 : 1) }),
+    points,
+  });
+}
+
+/** A guess that only speed depends on: the cell that the unit of the first points asks for. */
+function firstCell(run: ReadRun, chunk: PointChunk): number {
+  if (run.cloud.isSlice) return 0;
+  const trial = new Thinning({ cell: 0, budget: chunk.count });
+  trial.add(chunk);
+  return diagonalOf(trial.bounds) > 0 ? targetCell(run, trial) : 0;
+}
+
+/** Whether points were lost that cells of `target` keep: to cells too coarse, or too fine to be told apart. */
+function isWrongStart({ cell, firstCell, isOverBudget, bounds }: Thinning, target: number): boolean {
+  if (cell > target) return !isOverBudget;
+  return firstCell > 0 && firstCell < target && diagonalOf(bounds) / firstCell >= CELLS_TOLD_APART;
+}
+
+function targetCell(run: ReadRun, thinning: Thinning): number {
+  const { resolution, unit, pixelsPerMetre } = run.options;
+  const positions = positionsOf(thinning, thinning.sample(JUDGED_POINTS), middleOf(thinning));
+  const sample = { positions, isSlice: false, ...(run.cloud.unit && { unit: run.cloud.unit }) };
+  const { metresPerUnit } = judgeUnit(sample, { unit, pixelsPerMetre, up: 'auto' });
+  return powerOfTwoBelow(resolution / metresPerUnit);
+}
+
+/** @throws input/empty, input/not-finite, input/too-few-points */
+function assertPoints(name: string, thinning: Thinning): void {
+  const { read, dropped, count } = thinning;
+  if (read === 0) throw noPoints(name);
+  if (dropped === read) {
+    throw new FloorPlanError(
+      'input/not-finite',
+      `${name}: expected coordinates, found none finite in ${read} points`,
+      {
+        hint: 'Export the cloud again, without invalid points.',
+        detail: { dropped },
+      },
+    );
+  }
+  if (count < 3) {
+    throw new FloorPlanError(
+      'input/too-few-points',
+      `${name}: expected at least 3 distinct points, found ${count === 1 ? '1 point' : `${count} points`}`,
+      { hint: 'Check that the file holds the whole cloud.', detail: { points: count } },
+    );
+  }
+}
+
+function noPoints(name: string): FloorPlanError {
+  return new FloorPlanError('input/empty', `${name}: expected points, found no points`, {
+    hint: 'Export the cloud again, with its points.',
+  });
+}

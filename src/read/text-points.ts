@@ -1,0 +1,58 @@
+import { FloorPlanError } from '../core/errors.ts';
+import type { PointChunk, ReadProgress } from './cloud-reader.ts';
+import { lineBlocks } from './line-blocks.ts';
+import { type ColourRange, PointBuffer } from './point-buffer.ts';
+import { type RowLayout, RowParser } from './row-parser.ts';
+import type { ByteSource } from './source.ts';
+
+/** Rows of points somewhere in a text file. */
+export interface TextPoints {
+  readonly layout: RowLayout;
+  /** Byte offset of the first line. */
+  readonly begin: number;
+  /** Number of the first line, counted from 1. */
+  readonly line: number;
+  /** Rows of other things before the points. */
+  readonly rowsBefore?: number;
+  /** Points announced; without it they go to the end of the file. */
+  readonly rows?: number;
+  readonly colourRange?: ColourRange;
+}
+
+/** Points of a text file, one a line. @throws input/malformed, input/truncated */
+export async function* readTextPoints(
+  source: ByteSource,
+  { layout, begin, line, rowsBefore = 0, rows = Number.POSITIVE_INFINITY, colourRange }: TextPoints,
+  progress: ReadProgress,
+): AsyncGenerator<PointChunk> {
+  const parser = new RowParser(layout, { name: source.name, line });
+  const buffer = new PointBuffer((field) => layout.targets.includes(field), colourRange);
+  let before = rowsBefore;
+  let left = rows;
+  for await (const { bytes, isCut } of lineBlocks(source, begin, progress)) {
+    let at = parser.seek(bytes, 0);
+    while (at < bytes.length && left > 0) {
+      if (before > 0) {
+        at = parser.skipLine(bytes, at);
+        before--;
+      } else {
+        at = parser.read(bytes, at, isCut);
+        buffer.push(parser.values);
+        left--;
+        if (buffer.free === 0) yield buffer.take();
+      }
+      at = parser.seek(bytes, at);
+    }
+    if (left === 0) break;
+  }
+  if (buffer.count > 0) yield buffer.take();
+  if (left > 0 && left < Number.POSITIVE_INFINITY) throw tooFewRows(source.name, rows, rows - left);
+}
+
+function tooFewRows(name: string, announced: number, found: number): FloorPlanError {
+  return new FloorPlanError(
+    'input/truncated',
+    `${name}: expected ${announced} points as the header says, found ${found} before the end of the file`,
+    { hint: 'The file seems cut off; copy or export it again.', detail: { announced, found } },
+  );
+}

@@ -1,0 +1,295 @@
+import { FloorPlanError } from '../core/errors.ts';
+import { CELLS_TOLD_APART, pointKey } from './cell-hash.ts';
+import type { PointChunk } from './cloud-reader.ts';
+import { HashedRun, RUN_POINTS, SLOT_SHIFT } from './hashed-run.ts';
+import { KeptAttributes } from './kept-attributes.ts';
+
+/** Farther from 0 than this is no place in a building but a mark for "no return": a UTM northing in mm is 10¹⁰. */
+const FARTHEST = 1e12;
+const FIRST_SLOTS = 1 << 16;
+/** Share of slots in use past which probing gets long. */
+const FULLEST = 0.5;
+/** Finest cell tried when a cloud without cells is over its budget, as a share of its extent. */
+const FIRST_SHARE = 2 / CELLS_TOLD_APART;
+
+export interface ThinningOptions {
+  /** Edge of the cells to start with, source units, a power of two; 0 keeps every distinct point. */
+  readonly cell: number;
+  /** Most points kept; past it cells coarsen. */
+  readonly budget: number;
+  /** Points that will come at most, as far as known: a table of the right size need not grow. */
+  readonly expected?: number;
+}
+
+/**
+ * Keeps one point a cell of a voxel lattice while points stream in; memory is bounded by the points kept.
+ *
+ * Cells have a power of two as edge, in source units, and the lattice goes through the source's 0, so lattices nest.
+ * Of a cell's points the one with the smallest hash of its coordinates is kept (ties: smaller coordinates, then
+ * attributes): no grid pattern, no bias to a scanner's order, and as the minimum of minima is the minimum, the points
+ * kept are the same for every order of the points, and for coarsening later or starting coarse. When more than
+ * `budget` points are kept the edge doubles. Cell 0 keeps every distinct point.
+ *
+ * {@link CELLS_TOLD_APART} cells apart, along an axis, two cells are taken for one. Points with cells of their own are
+ * told apart by a 64-bit hash: among four million, two share one in 1 of 2 million clouds. Complexity: O(points).
+ */
+export class Thinning {
+  /** Edge of a cell in source units, a power of two; 0 where every distinct point is kept. */
+  cell: number;
+  /** The cell it began with. */
+  readonly firstCell: number;
+  /** Points kept. */
+  count = 0;
+  /** Points seen, those dropped included. */
+  read = 0;
+  /** Points without a finite place. */
+  dropped = 0;
+  /** Whether the budget made the cells coarser than asked. */
+  isOverBudget = false;
+  /** Source coordinates of the points kept, x, y, z a point; entries past 3 · count are stale. */
+  xyz = new Float64Array(0);
+  /** Box around every point with a finite place, kept or not. */
+  readonly bounds: Box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
+  readonly #budget: number;
+  #words = new Int32Array(0);
+  #attributes: KeptAttributes | null = null;
+  readonly #run = new HashedRun();
+  #table: Int32Array<ArrayBuffer>;
+
+  constructor({ cell, budget, expected = 0 }: ThinningOptions) {
+    this.cell = cell;
+    this.firstCell = cell;
+    this.#budget = budget;
+    // Pages that nothing is written to cost no memory.
+    this.#growArrays(Math.min(expected, budget) + RUN_POINTS);
+    const needed = Math.max(FIRST_SLOTS, Math.min(expected, budget) / FULLEST);
+    this.#table = allocate(() => new Int32Array((2 ** Math.ceil(Math.log2(needed))) << SLOT_SHIFT));
+  }
+
+  /** Adds the points of a chunk. @throws environment/memory */
+  add(chunk: PointChunk): void {
+    this.#attributes ??= new KeptAttributes(chunk, this.xyz.length / 3);
+    const words = new Int32Array(chunk.xyz.buffer, chunk.xyz.byteOffset, 2 * chunk.xyz.length);
+    growBounds(this.bounds, chunk);
+    clearNegativeZeros(chunk);
+    for (let begin = 0; begin < chunk.count; begin += RUN_POINTS) {
+      this.#makeRoom();
+      const end = Math.min(chunk.count, begin + RUN_POINTS);
+      this.#run.hash({ xyz: chunk.xyz, words }, { begin, end }, this.cell, this.#table);
+      this.#addRun(chunk, begin, end);
+      while (this.count > this.#budget) this.#coarsenForBudget();
+    }
+    this.read += chunk.count;
+  }
+
+  /** Thins what is kept to coarser cells: the very points that these cells would have kept from the start. */
+  coarsen(cell: number): void {
+    this.cell = cell;
+    this.#rebuild(this.#table.fill(0));
+  }
+
+  /** Attributes of the points kept at `indices`. */
+  attributesOf(indices: Uint32Array) {
+    return this.#attributes?.pick(indices) ?? {};
+  }
+
+  /** Lets go of the table; no point can be added after. */
+  close(): void {
+    this.#table = new Int32Array(0);
+  }
+
+  /** About `most` of the points kept (all, where there are fewer), picked by hash, so in no order and at no bias. */
+  sample(most: number): Uint32Array {
+    const share = Math.min(1, most / Math.max(1, this.count));
+    const limit = share * 2 ** 32 - 2 ** 31;
+    const picked: number[] = [];
+    for (let i = 0; i < this.count; i++) {
+      // Not the priority: the points kept have small ones.
+      if (share === 1 || pointKey(this.#words, 6 * i) < limit) picked.push(i);
+    }
+    return Uint32Array.from(picked);
+  }
+
+  #addRun(chunk: PointChunk, begin: number, end: number): void {
+    const table = this.#table;
+    const mask = table.length - 1;
+    const { keys, mates, places, priorities } = this.#run;
+    for (let i = begin; i < end; i++) {
+      const k = i - begin;
+      if (!isPlace(chunk.xyz, 3 * i)) {
+        this.dropped++;
+        continue;
+      }
+      const slot = findSlot(table, mask, places[k], keys[k], mates[k]);
+      const kept = table[slot + 3] - 1;
+      const lead = priorities[k] - table[slot + 2];
+      if (kept < 0) {
+        table[slot] = keys[k];
+        table[slot + 1] = mates[k];
+        table[slot + 2] = priorities[k];
+        table[slot + 3] = this.count + 1;
+        this.#put(chunk, i, this.count++);
+      } else if (lead < 0 || (lead === 0 && this.#precedes(chunk, i, kept))) {
+        table[slot + 2] = priorities[k];
+        this.#put(chunk, i, kept);
+      }
+    }
+  }
+
+  /** Room in arrays and table for one more run. */
+  #makeRoom(): void {
+    const needed = this.count + RUN_POINTS;
+    if (3 * needed > this.xyz.length) this.#growArrays(needed);
+    const slots = this.#table.length >> SLOT_SHIFT;
+    if (needed <= slots * FULLEST) return;
+    // Let go of the old table first: the new one is filled from the points.
+    this.#table = new Int32Array(0);
+    this.#rebuild(allocate(() => new Int32Array((2 * slots) << SLOT_SHIFT)));
+  }
+
+  #growArrays(needed: number): void {
+    const capacity = Math.max(needed, Math.min(this.#budget + RUN_POINTS, 2 * this.count));
+    const grown = allocate(() => new Float64Array(3 * capacity));
+    grown.set(this.xyz.subarray(0, 3 * this.count));
+    this.xyz = grown;
+    this.#words = new Int32Array(grown.buffer);
+    allocate(() => this.#attributes?.grow(capacity));
+  }
+
+  #coarsenForBudget(): void {
+    this.isOverBudget = true;
+    this.coarsen(this.cell > 0 ? 2 * this.cell : powerOfTwoBelow(FIRST_SHARE * diagonalOf(this.bounds)));
+  }
+
+  /** Sorts the points kept into an empty table by the present cell, and closes ranks. */
+  #rebuild(table: Int32Array<ArrayBuffer>): void {
+    this.#table = table;
+    const { count } = this;
+    this.count = 0;
+    for (let begin = 0; begin < count; begin += RUN_POINTS) {
+      const end = Math.min(count, begin + RUN_POINTS);
+      this.#run.hash({ xyz: this.xyz, words: this.#words }, { begin, end }, this.cell, table);
+      this.#sortInRun(begin, end);
+    }
+  }
+
+  #sortInRun(begin: number, end: number): void {
+    const table = this.#table;
+    const mask = table.length - 1;
+    const { keys, mates, places, priorities } = this.#run;
+    for (let i = begin; i < end; i++) {
+      const k = i - begin;
+      const slot = findSlot(table, mask, places[k], keys[k], mates[k]);
+      const kept = table[slot + 3] - 1;
+      const lead = priorities[k] - table[slot + 2];
+      if (kept < 0) {
+        table[slot] = keys[k];
+        table[slot + 1] = mates[k];
+        table[slot + 2] = priorities[k];
+        table[slot + 3] = this.count + 1;
+        this.#move(i, this.count++);
+      } else if (lead < 0 || (lead === 0 && isBefore(this.xyz, i, this.xyz, kept))) {
+        table[slot + 2] = priorities[k];
+        this.#move(i, kept);
+      }
+    }
+  }
+
+  #put(chunk: PointChunk, from: number, to: number): void {
+    const kept = this.xyz;
+    const { xyz } = chunk;
+    kept[3 * to] = xyz[3 * from];
+    kept[3 * to + 1] = xyz[3 * from + 1];
+    kept[3 * to + 2] = xyz[3 * from + 2];
+    this.#attributes?.put(chunk, from, to);
+  }
+
+  #move(from: number, to: number): void {
+    if (from === to) return;
+    this.xyz.copyWithin(3 * to, 3 * from, 3 * from + 3);
+    this.#attributes?.move(from, to);
+  }
+
+  #precedes(chunk: PointChunk, at: number, kept: number): boolean {
+    if (isBefore(chunk.xyz, at, this.xyz, kept)) return true;
+    if (isBefore(this.xyz, kept, chunk.xyz, at)) return false;
+    return this.#attributes?.precedes(chunk, at, kept) ?? false;
+  }
+}
+
+/** The slot of a cell, or the free one where it belongs; linear probing. */
+function findSlot(table: Int32Array, mask: number, place: number, key: number, mate: number): number {
+  let slot = place;
+  while (table[slot + 3] !== 0 && (table[slot] !== key || table[slot + 1] !== mate)) {
+    slot = (slot + (1 << SLOT_SHIFT)) & mask;
+  }
+  return slot;
+}
+
+function isBefore(a: Float64Array, at: number, b: Float64Array, bt: number): boolean {
+  for (let axis = 0; axis < 3; axis++) {
+    const difference = a[3 * at + axis] - b[3 * bt + axis];
+    if (difference !== 0) return difference < 0;
+  }
+  return false;
+}
+
+/** −0 and 0 are one place but have different bits. */
+function clearNegativeZeros({ xyz, count }: PointChunk): void {
+  for (let i = 0; i < 3 * count; i++) if (xyz[i] === 0) xyz[i] = 0;
+}
+
+/** The largest power of two that is not above `value`. */
+export function powerOfTwoBelow(value: number): number {
+  const power = 2 ** Math.floor(Math.log2(value));
+  if (power > value) return power / 2;
+  return 2 * power <= value ? 2 * power : power;
+}
+
+/** Diagonal of a box, source units; 0 where it is empty. */
+export function diagonalOf({ min, max }: Box): number {
+  return Math.hypot(...max.map((high, axis) => Math.max(0, high - min[axis])));
+}
+
+/** Corners of a box that grows. */
+interface Box {
+  readonly min: [x: number, y: number, z: number];
+  readonly max: [x: number, y: number, z: number];
+}
+
+function growBounds({ min, max }: Box, { xyz, count }: PointChunk): void {
+  let [minX, minY, minZ] = min;
+  let [maxX, maxY, maxZ] = max;
+  for (let i = 0; i < 3 * count; i += 3) {
+    const x = xyz[i];
+    const y = xyz[i + 1];
+    const z = xyz[i + 2];
+    if (!isPlace(xyz, i)) continue;
+    if (x < minX) minX = x;
+    if (x > maxX) maxX = x;
+    if (y < minY) minY = y;
+    if (y > maxY) maxY = y;
+    if (z < minZ) minZ = z;
+    if (z > maxZ) maxZ = z;
+  }
+  [min[0], min[1], min[2]] = [minX, minY, minZ];
+  [max[0], max[1], max[2]] = [maxX, maxY, maxZ];
+}
+
+/** False for NaN too. */
+function isPlace(xyz: Float64Array, at: number): boolean {
+  return (
+    Math.abs(xyz[at]) <= FARTHEST && Math.abs(xyz[at + 1]) <= FARTHEST && Math.abs(xyz[at + 2]) <= FARTHEST
+  );
+}
+
+function allocate<T>(make: () => T): T {
+  try {
+    return make();
+  } catch (cause) {
+    throw new FloorPlanError('environment/memory', 'There is not enough memory for the points to be kept.', {
+      hint: 'Lower the point budget.',
+      cause,
+    });
+  }
+}

@@ -1,0 +1,159 @@
+import { FloorPlanError } from '../core/errors.ts';
+import { joinBytes } from './byte-cursor.ts';
+import type { ByteSource } from './source.ts';
+
+/** Asked for first: enough for any header, and it shows whether the server knows ranges. */
+const PROBE_BYTES = 1 << 16;
+
+/**
+ * Reads a URL with `fetch`, in ranges where the server answers 206, else from the start each time.
+ *
+ * Nothing is fetched before the first bytes are asked for; the size is known after that, where the server tells it.
+ *
+ * @param signal ends every request of this source
+ * @throws environment/network, with URL and status, from `slice` and `stream`
+ */
+export function urlSource(url: string, signal?: AbortSignal): ByteSource {
+  const request = { url, signal };
+  let probing: Promise<Probe> | null = null;
+  let size: number | undefined;
+  return {
+    name: nameOf(url),
+    get size() {
+      return size;
+    },
+    stream: () => streamOf(request),
+    async slice(begin, end) {
+      probing ??= probe(request);
+      const { head, hasRanges, size: told } = await probing;
+      size = told;
+      if (end <= head.length || head.length < PROBE_BYTES) return head.subarray(begin, end);
+      if (hasRanges) return readRange(request, begin, end);
+      return (await firstBytes(request, await get(request), end)).subarray(begin, end);
+    },
+  };
+}
+
+interface Probe {
+  /** All bytes of a file that is shorter than the probe. */
+  readonly head: Uint8Array;
+  readonly hasRanges: boolean;
+  readonly size: number | undefined;
+}
+
+async function probe(request: UrlRequest): Promise<Probe> {
+  const response = await openProbe(request);
+  const head = await firstBytes(request, response, PROBE_BYTES);
+  return { head, hasRanges: response.status === 206, size: sizeOf(response) };
+}
+
+interface UrlRequest {
+  readonly url: string;
+  readonly signal: AbortSignal | undefined;
+}
+
+/** Where a server's CORS rules refuse the range header, a plain request may still pass. */
+async function openProbe(request: UrlRequest): Promise<Response> {
+  try {
+    return await get(request, `bytes=0-${PROBE_BYTES - 1}`);
+  } catch (error) {
+    if (error instanceof FloorPlanError && error.code === 'environment/network') return get(request);
+    throw error;
+  }
+}
+
+async function get({ url, signal }: UrlRequest, range?: string): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(url, {
+      ...(signal && { signal }),
+      ...(range && { headers: { Range: range } }),
+    });
+  } catch (cause) {
+    throw networkError({ url, signal }, 'no answer', cause);
+  }
+  if (response.ok) return response;
+  // A range past the end of an empty file; the plain request answers 200 with no bytes.
+  if (response.status === 416 && range) return get({ url, signal });
+  await response.body?.cancel();
+  throw networkError({ url, signal }, `HTTP ${response.status} ${response.statusText}`.trim(), undefined, {
+    status: response.status,
+  });
+}
+
+async function* streamOf(request: UrlRequest): AsyncGenerator<Uint8Array> {
+  yield* bodyOf(request, await get(request));
+}
+
+async function* bodyOf(request: UrlRequest, response: Response): AsyncGenerator<Uint8Array> {
+  if (!response.body) return;
+  const reader = response.body.getReader();
+  let received = 0;
+  let isDone = false;
+  try {
+    while (true) {
+      const { done, value } = await reader.read();
+      isDone = done;
+      if (done) return;
+      received += value.length;
+      yield value;
+    }
+  } catch (cause) {
+    throw networkError(request, `the connection broke after ${received} bytes`, cause, { offset: received });
+  } finally {
+    if (!isDone) await reader.cancel().catch(() => undefined);
+  }
+}
+
+async function readRange(request: UrlRequest, begin: number, end: number): Promise<Uint8Array> {
+  const response = await get(request, `bytes=${begin}-${end - 1}`);
+  if (response.status === 206) return firstBytes(request, response, end - begin);
+  return (await firstBytes(request, response, end)).subarray(begin, end);
+}
+
+/** The first `length` bytes of a body, or all where it is shorter; the rest is not fetched. */
+async function firstBytes(request: UrlRequest, response: Response, length: number): Promise<Uint8Array> {
+  const pieces: Uint8Array[] = [];
+  let total = 0;
+  for await (const piece of bodyOf(request, response)) {
+    pieces.push(piece);
+    total += piece.length;
+    if (total >= length) break;
+  }
+  return joinBytes(pieces, total).subarray(0, length);
+}
+
+/** Undefined unless the length surely counts the decoded bytes: a wrong size would make a whole file look cut off. */
+function sizeOf(response: Response): number | undefined {
+  if (response.headers.has('content-encoding')) return undefined;
+  const range = /\/(\d+)$/.exec(response.headers.get('content-range') ?? '');
+  if (range) return Number(range[1]);
+  // Across origins the encoding is hidden from us.
+  const length = response.headers.get('content-length');
+  const isWhole = response.status === 200 && response.type !== 'cors';
+  return isWhole && length !== null ? Number(length) : undefined;
+}
+
+function nameOf(url: string): string {
+  const path = url.startsWith('data:') ? '' : url.replace(/[?#].*$/, '');
+  const name = path.slice(path.lastIndexOf('/') + 1);
+  try {
+    return decodeURIComponent(name) || 'download';
+  } catch {
+    return name;
+  }
+}
+
+function networkError(
+  { url, signal }: UrlRequest,
+  found: string,
+  cause?: unknown,
+  detail: Readonly<Record<string, string | number>> = {},
+): FloorPlanError {
+  if (signal?.aborted) return new FloorPlanError('cancelled', 'The download was cancelled.', { cause });
+  return new FloorPlanError('environment/network', `expected a file at ${url}, found: ${found}`, {
+    hint: 'Check the address, and that its server allows other sites to read it (CORS).',
+    detail: { url, ...detail },
+    cause,
+  });
+}

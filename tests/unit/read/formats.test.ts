@@ -1,0 +1,39 @@
+import { describe, expect, it } from 'vitest';
+import { detectFormat, openCloud, READ_EXTENSIONS, READ_FORMATS } from '../../../src/read/formats.ts';
+import { bytesOf, memorySource } from './memory-source.ts';
+
+describe('detection', () => {
+  it.each([
+    ['ply', 'ply\nformat ascii 1.0\n', 'scan.txt'],
+    ['ply', 'ply\r\nformat ascii 1.0\n', 'scan'],
+    ['csv', 'x,y,z\n1,2,3\n', 'scan.ply'],
+    ['csv', '1 2 3\n', 'download'],
+    ['csv', 'no numbers here\n', 'scan.csv'],
+  ])('%s by content, else by extension: %j as %s', (format, text, name) => {
+    expect(detectFormat(bytesOf(text), name)).toBe(format);
+  });
+
+  it.each([
+    ['photo.ply', Uint8Array.of(0xff, 0xd8, 0xff, 0xe0, 0, 16, 74, 70), 'a JPEG image'],
+    ['photo.csv', Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10), 'a PNG image'],
+    ['scan.txt', bytesOf('%PDF-1.7\n1 0 obj\n'), 'a PDF document'],
+    ['scan.csv', bytesOf('<!DOCTYPE html><html>404'), 'an HTML page'],
+    ['scan.laz', bytesOf('LASF\0\0'), 'a LAS or LAZ point cloud'],
+    ['scan.xyz', Uint8Array.of(1, 2, 3, 0, 200), 'bytes of no known kind'],
+    ['letter', bytesOf('Dear Sir,\nin 2019 there were 3 rooms.\n'), 'text that is no table of points'],
+  ])('names what %s looks like', (name, bytes, found) => {
+    expect(() => detectFormat(bytes, name)).toThrow(
+      expect.objectContaining({ code: 'input/unknown-format', message: expect.stringContaining(found) }),
+    );
+  });
+
+  it('refuses an empty file', async () => {
+    await expect(openCloud(memorySource('', 'a.ply'))).rejects.toMatchObject({ code: 'input/empty' });
+  });
+});
+
+it('lists the extensions for a file picker', () => {
+  expect(READ_EXTENSIONS.split(',')).toContain('.ply');
+  const all = Object.values(READ_FORMATS).flatMap(({ extensions }) => extensions);
+  expect(new Set(all).size).toBe(all.length);
+});

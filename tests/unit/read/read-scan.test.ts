@@ -1,0 +1,190 @@
+import { describe, expect, it } from 'vitest';
+import { FloorPlanError } from '../../../src/core/errors.ts';
+import { resolveOptions } from '../../../src/core/options.ts';
+import { type ReadStatus, readScan } from '../../../src/read/read-scan.ts';
+import { BAD_INPUTS } from '../../bad-inputs.ts';
+import { memorySource } from './memory-source.ts';
+import { plyBytes } from './ply-bytes.ts';
+
+const OPTIONS = resolveOptions({});
+
+/** Walls, floor and ceiling of a room of 6 × 4 × 2.5 m, in source units. */
+function room(count: number, unit = 1, origin = [0, 0, 0]): number[][] {
+  return Array.from({ length: count }, (_, i) => {
+    const [u, v] = [(i * 0.618034) % 1, (i * 0.754878) % 1];
+    const faces = [
+      [6 * u, 4 * v, 0],
+      [6 * u, 4 * v, 2.5],
+      [6 * u, 0, 2.5 * v],
+      [6 * u, 4, 2.5 * v],
+      [0, 4 * u, 2.5 * v],
+      [6, 4 * u, 2.5 * v],
+    ];
+    return faces[i % 6].map((value, axis) => value * unit + origin[axis]);
+  });
+}
+
+const csv = (points: readonly (readonly number[])[]) => points.map((point) => point.join()).join('\n');
+const ply = (points: readonly (readonly number[])[]) =>
+  plyBytes(
+    [
+      {
+        name: 'vertex',
+        properties: ['x', 'y', 'z'].map((name) => ({ name, type: 'double' })),
+        records: points,
+      },
+    ],
+    { format: 'binary_little_endian' },
+  );
+
+describe('readScan', () => {
+  it('thins to the largest power of two within the resolution', async () => {
+    const scan = await readScan(
+      memorySource(ply(room(60_000)), 'room.ply'),
+      resolveOptions({ resolution: 0.05 }),
+    );
+    expect(scan.cellSize).toBe(2 ** -5);
+    expect(scan.facts).toMatchObject({
+      name: 'room.ply',
+      format: 'ply',
+      pointsRead: 60_000,
+      pointsDropped: 0,
+    });
+    expect(scan.facts.pointsKept).toBe(scan.positions.length / 3);
+    expect(scan.facts.pointsKept).toBeLessThan(60_000);
+    expect(scan.bounds).toEqual({ min: [0, 0, 0], max: [6, 4, 2.5] });
+    expect(scan.warnings).toEqual([]);
+  });
+
+  it.each([
+    ['mm', 1000, 8],
+    ['cm', 100, 0.5],
+    ['ft', 1 / 0.3048, 2 ** -5],
+  ] as const)('takes the resolution in %s', async (unit, perMetre, cell) => {
+    const source = memorySource(ply(room(5_000, perMetre)), 'room.ply');
+    expect((await readScan(source, resolveOptions({ unit }))).cellSize).toBe(cell);
+    if (unit !== 'ft') expect((await readScan(source, OPTIONS)).cellSize).toBe(cell);
+  });
+
+  it('keeps millimetres of large coordinates', async () => {
+    const origin = [691_000.123, 5_334_000.456, 512.789];
+    const points = room(3_000, 1, origin);
+    const scan = await readScan(memorySource(csv(points), 'utm.csv'), resolveOptions({ resolution: 0.001 }));
+    const original = new Set(points.map((point) => point.map((value) => value.toFixed(4)).join()));
+    for (let i = 0; i < scan.positions.length; i += 3) {
+      const point = scan.origin.map((value, axis) => (value + scan.positions[i + axis]).toFixed(4));
+      expect(original).toContain(point.join());
+    }
+  });
+
+  it('reads once more where the first points made the cells too coarse', async () => {
+    // A storey of 3 km at first sight, taken for millimetres; then the room, in metres.
+    const decoy = Array.from({ length: 1 << 15 }, (_, i) => [i % 200, (i >> 8) * 20, 2_900 * (i & 1)]);
+    const points = [...decoy, ...room(90_000)];
+    const statuses: ReadStatus[] = [];
+    const options = resolveOptions({ resolution: 0.05 });
+    const scan = await readScan(memorySource(ply(points), 'room.ply'), options, {
+      onProgress: (status) => statuses.push(status),
+    });
+    const forwards = await readScan(memorySource(ply([...points].reverse()), 'room.ply'), options);
+    expect(scan.cellSize).toBe(forwards.cellSize);
+    expect(scan.positions).toEqual(forwards.positions);
+    expect(statuses.at(-1)?.bytesRead).toBe(statuses.at(-1)?.totalBytes);
+  });
+
+  it('warns where the budget coarsens', async () => {
+    const options = resolveOptions({ pointBudget: 2_000 });
+    const scan = await readScan(memorySource(ply(room(50_000)), 'room.ply'), options);
+    expect(scan.facts.pointsKept).toBeLessThanOrEqual(2_000);
+    expect(scan.warnings).toMatchObject([{ code: 'read/thinned-to-budget' }]);
+    expect(scan.warnings[0].message).toContain(String(scan.cellSize));
+  });
+
+  it('does not warn where the budget coarsened no further than the resolution', async () => {
+    const options = resolveOptions({ resolution: 0.25, pointBudget: 3_000, unit: 'm' });
+    const scan = await readScan(memorySource(ply(room(50_000)), 'room.ply'), options);
+    expect(scan).toMatchObject({ cellSize: 0.25, warnings: [] });
+  });
+
+  it('keeps every distinct point of a slice', async () => {
+    const slice = room(2_000, 0.001).map(([x, y]) => [x, y]);
+    const distinct = new Set(slice.map((point) => point.join())).size;
+    const scan = await readScan(memorySource(`x,y\n${csv([...slice, ...slice])}`, 'slice.csv'), OPTIONS);
+    expect(scan).toMatchObject({ isSlice: true, cellSize: 0, facts: { pointsKept: distinct } });
+    expect(scan.positions.filter((_, i) => i % 3 === 2).every((z) => z === 0)).toBe(true);
+  });
+
+  it('leaves points without a place out and says so', async () => {
+    const points = [...room(2_000), [Number.NaN, 1, 2], [1, Number.POSITIVE_INFINITY, 2]];
+    const scan = await readScan(memorySource(ply(points), 'room.ply'), OPTIONS);
+    expect(scan.facts).toMatchObject({ pointsRead: 2_002, pointsDropped: 2 });
+    expect(scan.warnings).toMatchObject([
+      { code: 'read/points-dropped', message: expect.stringContaining('2 of 2002') },
+    ]);
+  });
+
+  it('survives strays', async () => {
+    const strays = [
+      [9e11, 0, 0],
+      [0, -9e11, 5],
+      [-1e6, 1e6, 1e6],
+    ];
+    const scan = await readScan(
+      memorySource(ply([...room(3_000), ...strays]), 'room.ply'),
+      resolveOptions({ unit: 'm' }),
+    );
+    expect(scan.origin.every((value) => Math.abs(value) < 10)).toBe(true);
+    expect(scan.facts.pointsKept).toBeGreaterThan(2_900);
+  });
+
+  it('shows progress and a preview', async () => {
+    const points = room(100_000, 1, [1000, 2000, 0]);
+    const source = memorySource(ply(points), 'room.ply');
+    const statuses: ReadStatus[] = [];
+    const previews: Float32Array[] = [];
+    await readScan(source, OPTIONS, {
+      onProgress: (status) => statuses.push(status),
+      onPreview: (positions) => previews.push(positions),
+    });
+    expect(statuses.at(-1)).toEqual({ bytesRead: source.size, totalBytes: source.size, points: 100_000 });
+    expect(statuses.every(({ bytesRead }, i) => i === 0 || bytesRead >= statuses[i - 1].bytesRead)).toBe(
+      true,
+    );
+    const shown = previews.reduce((sum, { length }) => sum + length / 3, 0);
+    expect(shown).toBeGreaterThan(4_000);
+    expect(previews.every((positions) => positions.length <= 3 * 4096)).toBe(true);
+    expect([...previews[0].subarray(0, 3)]).toEqual([0, 0, 0]);
+    expect(previews.every((positions) => positions.every((value) => Math.abs(value) <= 6))).toBe(true);
+  });
+
+  it('stops when cancelled and closes the source', async () => {
+    const controller = new AbortController();
+    let isClosed = false;
+    const memory = memorySource(ply(room(50_000)), 'room.ply', [10_000]);
+    const source = {
+      ...memory,
+      async *stream() {
+        try {
+          yield* memory.stream();
+        } finally {
+          isClosed = true;
+        }
+      },
+    };
+    const reading = readScan(source, OPTIONS, {
+      signal: controller.signal,
+      onProgress: ({ bytesRead }) => bytesRead > 100_000 && controller.abort(),
+    });
+    await expect(reading).rejects.toMatchObject({ code: 'cancelled' });
+    expect(isClosed).toBe(true);
+  });
+});
+
+describe('bad input', () => {
+  it.each(BAD_INPUTS)('$name: $code', async ({ name, bytes, code, says }) => {
+    const error = await readScan(memorySource(bytes, name), OPTIONS).catch((reason: unknown) => reason);
+    expect(error).toBeInstanceOf(FloorPlanError);
+    expect(error).toMatchObject({ code, message: expect.stringMatching(says) });
+    expect((error as FloorPlanError).hint).not.toBe('');
+  });
+});
