@@ -1,0 +1,79 @@
+import earcut from 'earcut';
+import type { Polygon, Ring } from '../core/types.ts';
+import { STEPS_PER_METRE } from './planar.ts';
+import { closeTJunctions } from './t-junctions.ts';
+import type { TriangleMesh } from './triangle-mesh.ts';
+
+/** Vertices dropped by the triangulation lie on an edge up to rounding: a hundredth of the Booleans' grid, m. */
+const ON_EDGE = 1e-8;
+
+/**
+ * A vertical prism: the polygon raised from one height to another.
+ *
+ * V vertices and h holes give 4V + 4h − 4 triangles over 2V shared vertices, closed as long as the polygon's rings
+ * are simple and do not share vertices.
+ *
+ * @param polygon metres; rings simple, on the Booleans' grid
+ * @param low, high heights, metres
+ */
+export function extrude(polygon: Polygon, low: number, high: number): TriangleMesh {
+  const rings = [polygon.outer, ...polygon.holes];
+  const count = rings.reduce((sum, ring) => sum + ring.length / 2, 0);
+  const flat = new Float64Array(2 * count);
+  const starts = placeRings(rings, flat);
+  const positions = new Float64Array(6 * count);
+  for (let i = 0; i < count; i++) {
+    positions.set([flat[2 * i], flat[2 * i + 1], low], 3 * i);
+    positions.set([flat[2 * i], flat[2 * i + 1], high], 3 * (count + i));
+  }
+  const indices = [...capTriangles(flat, starts), ...sideTriangles(rings, count)];
+  return closeTJunctions({ positions, indices: Uint32Array.from(indices) }, ON_EDGE);
+}
+
+/** Copies the rings behind each other; returns the first vertex of each. */
+function placeRings(rings: readonly Ring[], into: Float64Array): number[] {
+  const starts: number[] = [];
+  let offset = 0;
+  for (const ring of rings) {
+    starts.push(offset / 2);
+    into.set(ring, offset);
+    offset += ring.length;
+  }
+  return starts;
+}
+
+function capTriangles(flat: Float64Array, starts: readonly number[]): number[] {
+  const count = flat.length / 2;
+  // Whole steps from a corner of the plan: products of such numbers are exact, so the triangulation never errs on
+  // points that lie on edges.
+  const steps = flat.map((value, i) => Math.round((value - flat[i % 2]) * STEPS_PER_METRE));
+  const cap = earcut(steps, starts.slice(1));
+  const indices: number[] = [];
+  for (let i = 0; i < cap.length; i += 3) {
+    const [a, b, c] = isCounterClockwise(steps, cap[i], cap[i + 1], cap[i + 2])
+      ? [cap[i], cap[i + 1], cap[i + 2]]
+      : [cap[i], cap[i + 2], cap[i + 1]];
+    indices.push(count + a, count + b, count + c, c, b, a);
+  }
+  return indices;
+}
+
+function isCounterClockwise(flat: Float64Array, a: number, b: number, c: number): boolean {
+  const [ax, ay] = [flat[2 * a], flat[2 * a + 1]];
+  return (flat[2 * b] - ax) * (flat[2 * c + 1] - ay) > (flat[2 * c] - ax) * (flat[2 * b + 1] - ay);
+}
+
+/** Two triangles an edge; outer rings run counter-clockwise and holes clockwise, so all face away from the material. */
+function sideTriangles(rings: readonly Ring[], count: number): number[] {
+  const indices: number[] = [];
+  let first = 0;
+  for (const ring of rings) {
+    const size = ring.length / 2;
+    for (let i = 0; i < size; i++) {
+      const [a, b] = [first + i, first + ((i + 1) % size)];
+      indices.push(a, b, count + b, a, count + b, count + a);
+    }
+    first += size;
+  }
+  return indices;
+}

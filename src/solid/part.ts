@@ -1,0 +1,16 @@
+import type { Polygon, SecondaryBoundary, SolidGroup } from '../core/types.ts';
+import type { TriangleMesh } from './triangle-mesh.ts';
+
+/** A vertical piece of a storey before the secondary boundaries have done their work on it. */
+export interface Part {
+  readonly kind: SolidGroup['kind'];
+  readonly storey: number;
+  /** Disjoint polygons, metres. */
+  readonly base: readonly Polygon[];
+  readonly changes: readonly SecondaryBoundary[];
+  readonly low: number;
+  readonly high: number;
+}
+
+/** Makes the closed shells of a part: one for each piece that hangs together. */
+export type Engine = (part: Part) => TriangleMesh[];

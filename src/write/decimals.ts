@@ -1,0 +1,10 @@
+/** A number with at most so many decimals, written as short as can be: never `-0`, never an exponent below 1e21. */
+export function decimal(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  if (!text.includes('.')) return text === '-0' ? '0' : text;
+  const short = text.replace(/0+$/, '').replace(/\.$/, '');
+  return short === '-0' ? '0' : short;
+}
+
+/** The number {@link decimal} would write. */
+export const rounded = (value: number, digits: number): number => Number(decimal(value, digits));

@@ -1,0 +1,189 @@
+import { orientRing } from '../core/geometry/rings.ts';
+import type { Gap, Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
+import { areaOf, combine } from '../solid/planar.ts';
+import { footprint } from '../solid/sections.ts';
+import { drawDimensions, extentOf, planDimensions } from './dimensions.ts';
+import { hatch } from './hatch.ts';
+import { labelPoint } from './label-point.ts';
+import type { Product } from './plan-writer.ts';
+import { HATCHES } from './secondary-hatch.ts';
+import { type Affine, type Sheet, type SheetItem, type SheetLayer, TEXT_SIZES } from './sheet.ts';
+import { fitPage } from './sheet-page.ts';
+import { textWidth } from './text-width.ts';
+import { drawTitleBlock, type LegendEntry } from './title-block.ts';
+
+/** A gap is cut out of walls up to this much thicker than they are said to be, so that rounding leaves no sliver. */
+const GAP_OVERLAP = 1.02;
+/** Blank around a room's label, mm. */
+const LABEL_BLANK = 1.5;
+
+export interface DrawOptions {
+  /** Draws the slice's points beneath the plan; off by default, since a viewer has them anyway. */
+  readonly hasPoints?: boolean;
+}
+
+/**
+ * Draws one storey as an architect would: cut walls solid, inferred stretches dashed, secondary boundaries hatched by
+ * what they do to the model, dimensions outside, scale and paper chosen to fit.
+ *
+ * @param storey index into the plan's storeys
+ */
+export function drawSheet(product: Product, storey: number, { hasPoints = false }: DrawOptions = {}): Sheet {
+  const { plan, slice } = product;
+  const drawn = plan.storeys[storey];
+  const covered = footprint(drawn);
+  const extent = extentOf(covered.length > 0 ? covered : [{ outer: new Float64Array(2), holes: [] }]);
+  // The steps worth a dimension depend on the scale and the scale on their space: the second guess settles it.
+  const firstGuess = fitPage(extent, planDimensions(covered, extent, 1).surround);
+  const dimensions = planDimensions(covered, extent, firstGuess.scale);
+  const { paper, scale, planToSheet } = fitPage(extent, dimensions.surround);
+  const walls = drawWalls(drawn, planToSheet);
+  const facts = factsOf(product, drawn, { scale, paper: paper.name });
+  const block = drawTitleBlock({ ...facts, legend: legendOf(drawn, walls.gaps) }, paper, scale);
+  const points: SheetItem[] = hasPoints ? [{ kind: 'points', xy: mapped(slice.xy, planToSheet) }] : [];
+  const layers: SheetLayer[] = [
+    { name: 'points', isVisible: hasPoints, items: points },
+    { name: 'walls', isVisible: true, items: walls.cut },
+    { name: 'secondary', isVisible: true, items: drawSecondary(drawn.secondary, planToSheet) },
+    { name: 'gaps', isVisible: true, items: walls.gaps },
+    { name: 'dimensions', isVisible: true, items: drawDimensions(dimensions, extent, planToSheet) },
+    { name: 'labels', isVisible: true, items: drawLabels(drawn, planToSheet, scale) },
+    { name: 'title', isVisible: true, items: block },
+  ];
+  const description = [facts.title, ...facts.lines].join('. ');
+  return { paper, scale, storey, title: facts.title, description, planToSheet, layers };
+}
+
+/** Cut walls, and the stretches of wall along gaps, which no point supports; secondary boundaries are left free. */
+function drawWalls(storey: Storey, planToSheet: Affine): { cut: SheetItem[]; gaps: SheetItem[] } {
+  const section = combine(
+    'difference',
+    storey.walls.map(({ outline }) => outline),
+    storey.secondary.map(({ outline }) => outline),
+  );
+  const thickness = Math.max(0, ...storey.walls.map((wall) => wall.thickness));
+  const stretches = storey.gaps.map((gap) => stretchOf(gap, thickness * GAP_OVERLAP));
+  const cut = stretches.length === 0 ? section : combine('difference', section, stretches);
+  const items = (polygons: readonly Polygon[], style: 'wall' | 'inferred', name: string): SheetItem[] =>
+    polygons.map((polygon, i) => ({
+      kind: 'path',
+      style,
+      lines: ringsOf(polygon).map((ring) => mapped(ring, planToSheet)),
+      isClosed: true,
+      id: `${name}-${i}`,
+      data: { kind: name },
+    }));
+  const inferred = stretches.flatMap((stretch) => combine('intersection', section, [stretch]));
+  return { cut: items(cut, 'wall', 'wall'), gaps: items(inferred, 'inferred', 'gap') };
+}
+
+/** The rectangle along a gap, as wide as the wall to both sides. */
+function stretchOf({ from, to }: Gap, reach: number): Polygon {
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+  const length = Math.hypot(dx, dy);
+  if (length === 0) return { outer: new Float64Array(0), holes: [] };
+  const [nx, ny] = [(-dy / length) * reach, (dx / length) * reach];
+  const outer = Float64Array.of(
+    ...[from[0] - nx, from[1] - ny, to[0] - nx, to[1] - ny],
+    ...[to[0] + nx, to[1] + ny, from[0] + nx, from[1] + ny],
+  );
+  return { outer: orientRing(outer, 'counter-clockwise'), holes: [] };
+}
+
+function drawSecondary(secondary: readonly SecondaryBoundary[], planToSheet: Affine): SheetItem[] {
+  return secondary.flatMap(({ outline, operation, type }, i): SheetItem[] => {
+    const rings = ringsOf(outline).map((ring) => mapped(ring, planToSheet));
+    const lines = HATCHES[operation].flatMap(({ angle, spacing }) => hatch(rings, angle, spacing));
+    const data = { kind: 'secondary', operation, type };
+    return [
+      { kind: 'path', style: 'hatch', lines, isClosed: false },
+      { kind: 'path', style: 'secondary', lines: rings, isClosed: true, id: `secondary-${i}`, data },
+    ];
+  });
+}
+
+/** Room names over areas; where no rooms are known, the area within the primary boundary. */
+function drawLabels(storey: Storey, planToSheet: Affine, scale: number): SheetItem[] {
+  const obstacles = storey.secondary.map(({ outline }) => outline);
+  const rooms =
+    storey.rooms.length > 0 ? storey.rooms : storey.primary.map((outline) => ({ name: '', outline }));
+  return rooms.flatMap(({ name, outline }): SheetItem[] => {
+    const area = `${areaOf([outline]).toFixed(1)} m²`;
+    const lines = name === '' ? [area] : [name, area];
+    const free = combine('difference', [outline], obstacles);
+    const places = (free.length > 0 ? free : [outline]).map(labelPoint);
+    const [px, py, distance] = places.reduce((best, place) => (place[2] > best[2] ? place : best));
+    const width = Math.max(...lines.map((line) => textWidth(line, TEXT_SIZES.room)));
+    const [x, y] = mapped(Float64Array.of(px, py), planToSheet);
+    // Too narrow for a line of text: turned, since such rooms are mostly corridors.
+    const isNarrow = (2 * distance * 1000) / scale < width + 2 * LABEL_BLANK;
+    return isNarrow && lines.length === 1 && !isWiderThanDeep(outline)
+      ? [
+          {
+            kind: 'text',
+            size: 'label',
+            x: x + TEXT_SIZES.label / 3,
+            y,
+            text: area,
+            anchor: 'middle',
+            isUpright: true,
+          },
+        ]
+      : lines.map((text, i) => ({
+          kind: 'text',
+          size: i === 0 ? 'room' : 'label',
+          x,
+          y: y + TEXT_SIZES.room / 3 + (i - (lines.length - 1) / 2) * (TEXT_SIZES.room + 1),
+          text,
+          anchor: 'middle',
+        }));
+  });
+}
+
+function isWiderThanDeep(outline: Polygon): boolean {
+  const { minX, minY, maxX, maxY } = extentOf([outline]);
+  return maxX - minX > maxY - minY;
+}
+
+function legendOf({ walls, secondary }: Storey, gaps: readonly SheetItem[]): LegendEntry[] {
+  const operations = (['subtract', 'add', 'independent'] as const).filter((operation) =>
+    secondary.some((boundary) => boundary.operation === operation),
+  );
+  return [
+    ...(walls.length > 0 ? (['wall'] as const) : []),
+    ...(gaps.length > 0 ? (['inferred'] as const) : []),
+    ...operations,
+  ];
+}
+
+function factsOf(
+  { name, plan }: Product,
+  storey: Storey,
+  page: { scale: number; paper: string },
+): { title: string; lines: string[] } {
+  const count = plan.storeys.length;
+  const inner = areaOf(combine('union', storey.primary));
+  const outer = areaOf(footprint(storey));
+  const points = plan.source.pointsKept.toLocaleString('en-GB');
+  return {
+    title: name.trim() === '' ? 'Floor plan' : name,
+    lines: [
+      count === 1 ? 'Floor plan' : `Floor plan, storey ${storey.index} of 0 to ${count - 1}`,
+      `Inside ${inner.toFixed(1)} m², with walls ${outer.toFixed(1)} m², height ${storey.height.toFixed(2)} m`,
+      `Scale 1:${page.scale} on ${page.paper}, dimensions in metres`,
+      `Source: ${plan.source.name}, ${points} points`,
+      'Approximate: drawn from a point cloud',
+    ],
+  };
+}
+
+const ringsOf = ({ outer, holes }: Polygon): Float64Array[] => [outer, ...holes];
+
+function mapped(xy: Float64Array, [a, b, c, d, e, f]: Affine): Float64Array {
+  const result = new Float64Array(xy.length);
+  for (let i = 0; i < xy.length; i += 2) {
+    result[i] = a * xy[i] + c * xy[i + 1] + e;
+    result[i + 1] = b * xy[i] + d * xy[i + 1] + f;
+  }
+  return result;
+}

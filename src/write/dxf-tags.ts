@@ -1,0 +1,59 @@
+export type DxfTag = readonly [code: number, value: string | number];
+
+/** Corners of a drawing in its own units, as written. */
+export interface Extent {
+  readonly min: readonly [string, string];
+  readonly max: readonly [string, string];
+}
+
+/** Builds a DXF text tag by tag and hands out handles. */
+export class DxfTags {
+  readonly #lines: string[] = [];
+  #lastHandle = 0;
+  #seedLine = -1;
+
+  /** A number of the drawing's own for an object, hexadecimal. */
+  handle(): string {
+    this.#lastHandle++;
+    return this.#lastHandle.toString(16).toUpperCase();
+  }
+
+  add(...tags: readonly DxfTag[]): void {
+    for (const [code, value] of tags) this.#lines.push(String(code).padStart(3), String(value));
+  }
+
+  /** Free text: one line, beyond ASCII as \U+XXXX, with the caret and control characters made harmless. */
+  addText(code: number, text: string): void {
+    let safe = '';
+    for (let i = 0; i < text.length; i++) {
+      const unit = text.charCodeAt(i);
+      if (unit < 0x20 || unit === 0x7f) safe += ' ';
+      else if (unit < 0x7f) safe += text[i];
+      else safe += `\\U+${unit.toString(16).toUpperCase().padStart(4, '0')}`;
+    }
+    this.add([code, safe.replaceAll('^', '^ ')]);
+  }
+
+  section(name: string, write: () => void): void {
+    this.add([0, 'SECTION'], [2, name]);
+    write();
+    this.add([0, 'ENDSEC']);
+  }
+
+  /** Opens an entity of the given owner on a layer. */
+  entity(type: string, owner: string, layer: string): void {
+    this.add([0, type], [5, this.handle()], [330, owner], [100, 'AcDbEntity'], [8, layer]);
+  }
+
+  /** The header's next free handle, filled in at the end. */
+  addHandleSeed(): void {
+    this.add([9, '$HANDSEED'], [5, '']);
+    this.#seedLine = this.#lines.length - 1;
+  }
+
+  end(): string {
+    this.add([0, 'EOF']);
+    this.#lines[this.#seedLine] = this.handle();
+    return `${this.#lines.join('\n')}\n`;
+  }
+}

@@ -1,0 +1,137 @@
+import type { Polygon, Storey, Unit } from '../core/types.ts';
+import { decimal } from './decimals.ts';
+import { writeDxfObjects, writeDxfTables } from './dxf-tables.ts';
+import { DxfTags, type Extent } from './dxf-tags.ts';
+import type { Product } from './plan-writer.ts';
+import { type SourceCoordinates, sourceCoordinates } from './source-coordinates.ts';
+
+/** $INSUNITS by unit; a pixel is unitless. */
+const INSERT_UNITS: Record<Unit, number> = { m: 6, cm: 5, mm: 4, ft: 2, 'us-ft': 21, px: 0 };
+/** Height of room names, m. */
+const TEXT_HEIGHT = 0.2;
+
+/** Layers by AIA names; colours by AutoCAD's index, line weights in 1/100 mm as the sheet draws them. */
+export const DXF_LAYERS = [
+  { name: 'A-WALL', colour: 7, lineType: 'Continuous', weight: 50 },
+  { name: 'A-OUTLINE', colour: 8, lineType: 'Continuous', weight: 18 },
+  { name: 'A-COLS', colour: 5, lineType: 'Continuous', weight: 35 },
+  { name: 'A-GAP', colour: 30, lineType: 'DASHED', weight: 25 },
+  { name: 'A-OPENING', colour: 3, lineType: 'Continuous', weight: 25 },
+  { name: 'A-AREA', colour: 9, lineType: 'Continuous', weight: 18 },
+] as const;
+
+type LayerName = (typeof DXF_LAYERS)[number]['name'];
+
+/**
+ * Writes plan.dxf: an AutoCAD 2000 drawing of closed polylines on named layers, z = 0, in source units and
+ * coordinates, so it lies where the scan lies.
+ */
+export function writeDxf({ plan }: Product, storey: number): string {
+  const to = sourceCoordinates(plan.frame);
+  const entities = new Entities(to, 1 / plan.frame.metresPerUnit);
+  drawStorey(plan.storeys[storey], entities);
+  const tags = new DxfTags();
+  writeHeader(tags, plan.frame.unit, entities.extent);
+  tags.section('CLASSES', () => {});
+  const handles = writeDxfTables(tags, {
+    layers: DXF_LAYERS,
+    dash: 0.3 / plan.frame.metresPerUnit,
+    extent: entities.extent,
+  });
+  tags.section('ENTITIES', () => {
+    for (const write of entities.writers) write(tags, handles.modelSpace);
+  });
+  writeDxfObjects(tags, handles);
+  return tags.end();
+}
+
+function writeHeader(tags: DxfTags, unit: Unit, extent: Extent): void {
+  const isImperial = unit === 'ft' || unit === 'us-ft';
+  tags.section('HEADER', () => {
+    tags.add([9, '$ACADVER'], [1, 'AC1015'], [9, '$DWGCODEPAGE'], [3, 'ANSI_1252']);
+    tags.add([9, '$INSUNITS'], [70, INSERT_UNITS[unit]], [9, '$MEASUREMENT'], [70, isImperial ? 0 : 1]);
+    tags.add([9, '$EXTMIN'], [10, extent.min[0]], [20, extent.min[1]], [30, '0.0']);
+    tags.add([9, '$EXTMAX'], [10, extent.max[0]], [20, extent.max[1]], [30, '0.0']);
+    tags.addHandleSeed();
+  });
+}
+
+function drawStorey(storey: Storey, entities: Entities): void {
+  for (const polygon of storey.primary) entities.polygon('A-OUTLINE', polygon);
+  for (const { outline } of storey.walls) entities.polygon('A-WALL', outline);
+  for (const { outline } of storey.secondary) entities.polygon('A-COLS', outline);
+  for (const { name, outline } of storey.rooms) {
+    entities.polygon('A-AREA', outline);
+    entities.text('A-AREA', name, outline);
+  }
+  for (const { from, to } of storey.openings) entities.line('A-OPENING', from, to);
+  for (const { from, to } of storey.gaps) entities.line('A-GAP', from, to);
+}
+
+/** Collects entities and their extent, since the header that comes first needs it. */
+class Entities {
+  readonly writers: ((tags: DxfTags, owner: string) => void)[] = [];
+  readonly #to: SourceCoordinates;
+  readonly #unitsPerMetre: number;
+  #box = [Infinity, Infinity, -Infinity, -Infinity];
+
+  constructor(to: SourceCoordinates, unitsPerMetre: number) {
+    this.#to = to;
+    this.#unitsPerMetre = unitsPerMetre;
+  }
+
+  get extent(): Extent {
+    const [minX, minY, maxX, maxY] = Number.isFinite(this.#box[0]) ? this.#box : [0, 0, 1, 1];
+    const { digits } = this.#to;
+    const write = (value: number) => decimal(value, digits);
+    return { min: [write(minX), write(minY)], max: [write(maxX), write(maxY)] };
+  }
+
+  polygon(layer: LayerName, { outer, holes }: Polygon): void {
+    for (const ring of [outer, ...holes]) {
+      const places: string[] = [];
+      for (let i = 0; i < ring.length; i += 2) {
+        const [x, y] = this.#place(ring[i], ring[i + 1]);
+        places.push(x, y);
+      }
+      this.#polyline(layer, places, true);
+    }
+  }
+
+  line(layer: LayerName, from: readonly [number, number], to: readonly [number, number]): void {
+    this.#polyline(layer, [...this.#place(...from), ...this.#place(...to)], false);
+  }
+
+  text(layer: LayerName, text: string, { outer }: Polygon): void {
+    if (text === '') return;
+    const [x, y] = this.#place(outer[0], outer[1]);
+    const height = decimal(TEXT_HEIGHT * this.#unitsPerMetre, this.#to.digits);
+    this.writers.push((tags, owner) => {
+      tags.entity('TEXT', owner, layer);
+      tags.add([100, 'AcDbText'], [10, x], [20, y], [30, '0.0'], [40, height]);
+      tags.addText(1, text);
+      tags.add([100, 'AcDbText']);
+    });
+  }
+
+  #polyline(layer: LayerName, places: readonly string[], isClosed: boolean): void {
+    this.writers.push((tags, owner) => {
+      tags.entity('LWPOLYLINE', owner, layer);
+      tags.add(
+        [100, 'AcDbPolyline'],
+        [90, places.length / 2],
+        [70, isClosed ? 1 : 0],
+        [43, '0.0'],
+        [38, '0.0'],
+      );
+      for (let i = 0; i < places.length; i += 2) tags.add([10, places[i]], [20, places[i + 1]]);
+    });
+  }
+
+  #place(planX: number, planY: number): [x: string, y: string] {
+    const [x, y] = [this.#to.x(planX), this.#to.y(planY)];
+    const [minX, minY, maxX, maxY] = this.#box;
+    this.#box = [Math.min(minX, x), Math.min(minY, y), Math.max(maxX, x), Math.max(maxY, y)];
+    return [decimal(x, this.#to.digits), decimal(y, this.#to.digits)];
+  }
+}

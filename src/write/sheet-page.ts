@@ -1,0 +1,98 @@
+import type { Affine, Paper } from './sheet.ts';
+
+/** Room around the plan for dimension chains, mm a side. */
+export interface Surround {
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
+/** Extent of what is drawn, plan metres. */
+export interface Extent {
+  readonly minX: number;
+  readonly minY: number;
+  readonly maxX: number;
+  readonly maxY: number;
+}
+
+export interface Page {
+  readonly paper: Paper;
+  readonly scale: number;
+  readonly planToSheet: Affine;
+}
+
+/** Blank edge of the sheet, mm. */
+export const MARGIN = 12;
+/** Height of the strip with title, scale bar and legend, mm. */
+export const STRIP = 34;
+
+const PAPERS = [
+  { name: 'A4', short: 210, long: 297 },
+  { name: 'A3', short: 297, long: 420 },
+  { name: 'A2', short: 420, long: 594 },
+  { name: 'A1', short: 594, long: 841 },
+  { name: 'A0', short: 841, long: 1189 },
+] as const;
+
+/** Each scale with the largest paper (index) it is worth: homes on A4 and A3, big sheets for big buildings only. */
+const SCALES = [
+  [20, 0],
+  [50, 1],
+  [100, 2],
+  [200, 3],
+  [500, 4],
+  [1000, 4],
+  [2000, 4],
+] as const;
+
+/**
+ * Chooses scale and paper: the largest scale whose plan fits a paper worth it, on the smallest such paper, and puts
+ * the plan in the middle of the space above the strip. Larger than 1:2000 on A0, the scale goes on in steps of 1-2-5.
+ */
+export function fitPage(extent: Extent, surround: Surround): Page {
+  for (const [scale, largest] of SCALES) {
+    const paper = smallestPaper(extent, surround, { scale, largest });
+    if (paper !== null) return pageOf(paper, scale, extent, surround);
+  }
+  for (let power = 1000; ; power *= 10) {
+    for (const step of [5, 10, 20]) {
+      const scale = step * power;
+      const paper = smallestPaper(extent, surround, { scale, largest: PAPERS.length - 1 });
+      if (paper !== null) return pageOf(paper, scale, extent, surround);
+    }
+  }
+}
+
+function smallestPaper(
+  { minX, minY, maxX, maxY }: Extent,
+  { left, right, top, bottom }: Surround,
+  { scale, largest }: { scale: number; largest: number },
+): Paper | null {
+  const [planWidth, planHeight] = [((maxX - minX) * 1000) / scale, ((maxY - minY) * 1000) / scale];
+  const needed = [
+    planWidth + left + right + 2 * MARGIN,
+    planHeight + top + bottom + STRIP + 2 * MARGIN,
+  ] as const;
+  for (const { name, short, long } of PAPERS.slice(0, largest + 1)) {
+    const turned: Paper[] = [
+      { name, width: long, height: short },
+      { name, width: short, height: long },
+    ];
+    if (planHeight > planWidth) turned.reverse();
+    const paper = turned.find(({ width, height }) => needed[0] <= width && needed[1] <= height);
+    if (paper !== undefined) return paper;
+  }
+  return null;
+}
+
+function pageOf(paper: Paper, scale: number, extent: Extent, surround: Surround): Page {
+  const { minX, minY, maxX, maxY } = extent;
+  const { left, right, top, bottom } = surround;
+  const k = 1000 / scale;
+  const freeWidth = paper.width - 2 * MARGIN - left - right - k * (maxX - minX);
+  const freeHeight = paper.height - 2 * MARGIN - STRIP - top - bottom - k * (maxY - minY);
+  const e = MARGIN + left + freeWidth / 2 - k * minX;
+  const f = MARGIN + top + freeHeight / 2 + k * maxY;
+  return { paper, scale, planToSheet: [k, 0, 0, -k, e, f] };
+}

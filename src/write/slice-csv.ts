@@ -1,0 +1,13 @@
+import { decimal } from './decimals.ts';
+import type { Product } from './plan-writer.ts';
+import { sourceCoordinates } from './source-coordinates.ts';
+
+/** Writes slice.csv: the points the outline was found from, plan frame, source units and coordinates to 0.1 mm. */
+export function writeSliceCsv({ plan, slice }: Product): string {
+  const { x, y, digits } = sourceCoordinates(plan.frame);
+  const lines = ['x,y'];
+  for (let i = 0; i < slice.xy.length; i += 2) {
+    lines.push(`${decimal(x(slice.xy[i]), digits)},${decimal(y(slice.xy[i + 1]), digits)}`);
+  }
+  return `${lines.join('\n')}\n`;
+}

@@ -1,0 +1,123 @@
+import { decimal } from './decimals.ts';
+import { drawSheet } from './draw-sheet.ts';
+import { frameFacts } from './frame-json.ts';
+import type { Product } from './plan-writer.ts';
+import {
+  LINE_STYLES,
+  type LineStyle,
+  type Sheet,
+  type SheetItem,
+  type SheetLayer,
+  type SheetPath,
+  type SheetText,
+  TEXT_SIZES,
+} from './sheet.ts';
+import { escapeXml } from './xml.ts';
+
+/** Decimals of a millimetre on the sheet: a hundredth of a millimetre in the building at 1:100. */
+const DIGITS = 4;
+const INK = '#1B1F24';
+const PAPER = '#FFFFFF';
+/** Share of ink in the points beneath a plan, and their size, mm. */
+const POINT_INK = 0.2;
+const POINT_SIZE = 0.25;
+
+/**
+ * Writes plan.svg: a sheet in millimetres with named layers, whose root and metadata say how to get from a place on
+ * the sheet back to the scan. No styles and no scripts, so it shows under any content policy; ink is `currentColor`.
+ */
+export function writeSvg(product: Product, storey: number): string {
+  const sheet = drawSheet(product, storey);
+  return sheetToSvg(sheet, JSON.stringify(frameFacts(product.plan, sheet)));
+}
+
+/** @param frame georeference as JSON, for the metadata */
+export function sheetToSvg(sheet: Sheet, frame: string): string {
+  const { width, height } = sheet.paper;
+  const root = attributes({
+    xmlns: 'http://www.w3.org/2000/svg',
+    width: `${width}mm`,
+    height: `${height}mm`,
+    viewBox: `0 0 ${width} ${height}`,
+    color: INK,
+    'font-family': 'Helvetica Neue, Helvetica, Arial, sans-serif',
+    'data-plan-to-sheet': sheet.planToSheet.join(' '),
+    'data-scale': sheet.scale,
+    'data-storey': sheet.storey,
+  });
+  const lines = [
+    '<?xml version="1.0" encoding="UTF-8"?>',
+    `<svg${root}>`,
+    `<title>${escapeXml(sheet.title)}</title>`,
+    `<desc>${escapeXml(sheet.description)}</desc>`,
+    `<metadata id="frame">${escapeXml(frame)}</metadata>`,
+    `<rect${attributes({ id: 'paper', width, height, fill: PAPER })}/>`,
+    ...sheet.layers.flatMap(layerLines),
+    '</svg>',
+  ];
+  return `${lines.join('\n')}\n`;
+}
+
+function layerLines({ name, isVisible, items }: SheetLayer): string[] {
+  const group = attributes({ id: name, 'data-layer': name, display: isVisible ? undefined : 'none' });
+  return [`<g${group}>`, ...items.map(itemLine), '</g>'];
+}
+
+function itemLine(item: SheetItem): string {
+  if (item.kind === 'text') return textLine(item);
+  if (item.kind === 'path') return pathLine(item);
+  const dots: string[] = [];
+  for (let i = 0; i < item.xy.length; i += 2) dots.push(`M${mm(item.xy[i])} ${mm(item.xy[i + 1])}h0`);
+  const look = {
+    'stroke-width': POINT_SIZE,
+    'stroke-linecap': 'round',
+    stroke: 'currentColor',
+    'stroke-opacity': POINT_INK,
+  };
+  return `<path${attributes({ d: dots.join(''), fill: 'none', ...look })}/>`;
+}
+
+function pathLine({ style, lines, isClosed, id, data = {} }: SheetPath): string {
+  const look: LineStyle = LINE_STYLES[style];
+  const facts = Object.fromEntries(Object.entries(data).map(([key, value]) => [`data-${key}`, value]));
+  return `<path${attributes({
+    id,
+    ...facts,
+    d: lines.map((line) => pathData(line, isClosed)).join(''),
+    fill: look.isFilled ? 'currentColor' : 'none',
+    'fill-rule': look.isFilled ? 'evenodd' : undefined,
+    stroke: 'currentColor',
+    'stroke-width': look.width,
+    'stroke-dasharray': look.dash?.join(' '),
+    'stroke-linejoin': isClosed ? 'miter' : undefined,
+  })}/>`;
+}
+
+function textLine({ size, x, y, text, anchor, isUpright, id }: SheetText): string {
+  return `<text${attributes({
+    id,
+    x: mm(x),
+    y: mm(y),
+    'font-size': TEXT_SIZES[size],
+    'text-anchor': anchor === 'start' ? undefined : anchor,
+    transform: isUpright ? `rotate(-90 ${mm(x)} ${mm(y)})` : undefined,
+    fill: 'currentColor',
+  })}>${escapeXml(text)}</text>`;
+}
+
+function pathData(line: Float64Array, isClosed: boolean): string {
+  let d = '';
+  for (let i = 0; i < line.length; i += 2) d += `${i === 0 ? 'M' : 'L'}${mm(line[i])} ${mm(line[i + 1])}`;
+  return isClosed ? `${d}Z` : d;
+}
+
+const mm = (value: number): string => decimal(value, DIGITS);
+
+/** Attributes in the order given, those that are undefined left out. */
+function attributes(values: Readonly<Record<string, string | number | undefined>>): string {
+  let text = '';
+  for (const [name, value] of Object.entries(values)) {
+    if (value !== undefined) text += ` ${name}="${escapeXml(String(value))}"`;
+  }
+  return text;
+}

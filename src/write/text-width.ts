@@ -1,0 +1,20 @@
+/** Mean advance of a letter in the usual sans-serif faces, and of a CJK letter, as shares of the text size. */
+const LETTER = 0.55;
+const WIDE_LETTER = 1;
+/** Code points from here on are mostly as wide as high. */
+const FIRST_WIDE = 0x2e80;
+
+/** About how wide a text is, in the unit of its size; exact widths are known to the viewer's font only. */
+export function textWidth(text: string, size: number): number {
+  let width = 0;
+  for (const letter of text) width += size * (letter.codePointAt(0)! >= FIRST_WIDE ? WIDE_LETTER : LETTER);
+  return width;
+}
+
+/** The text, or as much of it as fits and an ellipsis. */
+export function shorten(text: string, size: number, width: number): string {
+  if (textWidth(text, size) <= width) return text;
+  const letters = [...text];
+  while (letters.length > 0 && textWidth(`${letters.join('')}…`, size) > width) letters.pop();
+  return `${letters.join('').trimEnd()}…`;
+}

@@ -1,0 +1,131 @@
+import { hatch } from './hatch.ts';
+import { HATCHES } from './secondary-hatch.ts';
+import { type Paper, type SheetItem, TEXT_SIZES } from './sheet.ts';
+import { MARGIN, STRIP } from './sheet-page.ts';
+import { shorten } from './text-width.ts';
+
+/** A sample in the legend. */
+export type LegendEntry = 'wall' | 'inferred' | keyof typeof HATCHES;
+
+export interface TitleFacts {
+  readonly title: string;
+  /** Small lines under the title, top to bottom. */
+  readonly lines: readonly string[];
+  readonly legend: readonly LegendEntry[];
+}
+
+/** Width of the title's column at the right, mm. */
+const TITLE_WIDTH = 96;
+const LINE_HEIGHT = 4.2;
+/** Segments of the scale bar, and the lengths a segment may have, metres; the longest that fits is taken. */
+const SEGMENTS = 4;
+const LONGEST_SEGMENT = 20;
+const BAR_HEIGHT = 1.6;
+const SWATCH = { width: 8, height: 3.6, column: 40, row: 6 } as const;
+
+const LEGEND: Record<LegendEntry, string> = {
+  wall: 'Wall',
+  inferred: 'Inferred: no points',
+  subtract: 'Structure, subtracted',
+  add: 'Structure, added',
+  independent: 'Structure, independent',
+};
+
+/** The strip along the lower edge: scale bar and legend at the left, title and facts at the right. */
+export function drawTitleBlock(facts: TitleFacts, paper: Paper, scale: number): SheetItem[] {
+  const top = paper.height - MARGIN - STRIP + LINE_HEIGHT;
+  const rule = Float64Array.of(MARGIN, top, paper.width - MARGIN, top);
+  return [
+    { kind: 'path', style: 'rule', lines: [rule], isClosed: false },
+    ...drawTitle(facts, paper.width - MARGIN - TITLE_WIDTH, top),
+    ...drawScaleBar(scale, MARGIN, top + 6),
+    ...drawLegend(facts.legend, MARGIN, top + 15),
+  ];
+}
+
+function drawTitle({ title, lines }: TitleFacts, x: number, top: number): SheetItem[] {
+  let y = top + 4 + TEXT_SIZES.title;
+  const text = shorten(title, TEXT_SIZES.title, TITLE_WIDTH);
+  const items: SheetItem[] = [
+    { kind: 'text', size: 'title', x, y, text, anchor: 'start', id: 'sheet-title' },
+  ];
+  y += 1.5;
+  for (const line of lines) {
+    y += LINE_HEIGHT;
+    const short = shorten(line, TEXT_SIZES.label, TITLE_WIDTH);
+    items.push({ kind: 'text', size: 'label', x, y, text: short, anchor: 'start' });
+  }
+  return items;
+}
+
+function drawScaleBar(scale: number, left: number, top: number): SheetItem[] {
+  const metres = segmentLength(scale);
+  const width = (metres * 1000) / scale;
+  const box = (i: number) => {
+    const [x, y] = [left + i * width, top + BAR_HEIGHT];
+    return Float64Array.of(x, top, x + width, top, x + width, y, x, y);
+  };
+  const outline = Float64Array.of(
+    ...[left, top, left + SEGMENTS * width, top],
+    ...[left + SEGMENTS * width, top + BAR_HEIGHT, left, top + BAR_HEIGHT],
+  );
+  const filled = Array.from({ length: SEGMENTS }, (_, i) => i).filter((i) => i % 2 === 0);
+  const items: SheetItem[] = [
+    { kind: 'path', style: 'scaleBar', lines: filled.map(box), isClosed: true },
+    { kind: 'path', style: 'rule', lines: [outline], isClosed: true },
+  ];
+  for (let i = 0; i <= SEGMENTS; i++) {
+    const figure = String(Number((i * metres).toPrecision(3)));
+    const text = i === SEGMENTS ? `${figure} m` : figure;
+    const y = top + BAR_HEIGHT + LINE_HEIGHT - 0.8;
+    items.push({
+      kind: 'text',
+      size: 'label',
+      x: left + i * width,
+      y,
+      text,
+      anchor: i === 0 ? 'start' : 'middle',
+    });
+  }
+  return items;
+}
+
+/** The longest of 1, 2, 5 × 10ⁿ metres whose segment is no longer on paper than allowed. */
+function segmentLength(scale: number): number {
+  const longest = (LONGEST_SEGMENT * scale) / 1000;
+  const power = 10 ** Math.floor(Math.log10(longest));
+  return power * ([5, 2].find((step) => step * power <= longest) ?? 1);
+}
+
+function drawLegend(entries: readonly LegendEntry[], left: number, top: number): SheetItem[] {
+  return entries.flatMap((entry, i) => {
+    const x = left + (i % 2) * SWATCH.column;
+    const y = top + Math.floor(i / 2) * SWATCH.row;
+    const [right, bottom] = [x + SWATCH.width, y + SWATCH.height];
+    const box = Float64Array.of(x, y, right, y, right, bottom, x, bottom);
+    return [
+      ...drawSwatch(entry, box),
+      {
+        kind: 'text',
+        size: 'label',
+        x: right + 2,
+        y: bottom - 0.9,
+        text: LEGEND[entry],
+        anchor: 'start',
+      } satisfies SheetItem,
+    ];
+  });
+}
+
+function drawSwatch(entry: LegendEntry, box: Float64Array): SheetItem[] {
+  const outline = (style: 'scaleBar' | 'inferred' | 'swatch'): SheetItem => ({
+    kind: 'path',
+    style,
+    lines: [box],
+    isClosed: true,
+  });
+  if (entry === 'wall') return [outline('scaleBar')];
+  if (entry === 'inferred') return [outline('inferred')];
+  const lines = HATCHES[entry].flatMap(({ angle, spacing }) => hatch([box], angle, spacing));
+  return [{ kind: 'path', style: 'hatch', lines, isClosed: false }, outline('swatch')];
+}

@@ -1,0 +1,90 @@
+import { expect, test } from 'vitest';
+import type { Storey } from '../../../src/core/types.ts';
+import { writeGeoJson } from '../../../src/write/geojson.ts';
+import { type PlanFacts, rectangle, reversed, ring, secondary } from '../solid/plans.ts';
+import { productOf } from './products.ts';
+
+interface Feature {
+  readonly type: string;
+  readonly geometry: { readonly type: string; readonly coordinates: number[][][] };
+  readonly properties: Readonly<Record<string, unknown>>;
+}
+
+async function featuresOf(facts: PlanFacts): Promise<Feature[]> {
+  const collection = JSON.parse(writeGeoJson(await productOf(facts))) as {
+    type: string;
+    features: Feature[];
+  };
+  expect(collection.type).toBe('FeatureCollection');
+  return collection.features;
+}
+
+/** Twice the signed area. */
+const turn = (positions: number[][]): number =>
+  positions.slice(1).reduce((sum, [x, y], i) => sum + positions[i][0] * y - x * positions[i][1], 0);
+
+const everything: Partial<Storey> = {
+  secondary: [secondary(rectangle(1, 1, 0.5, 0.5), 'add')],
+  rooms: [
+    {
+      name: 'Küche "1"',
+      outline: { outer: rectangle(0, 0, 4, 3), holes: [] },
+      height: 2.45,
+      confidence: 0.9,
+    },
+  ],
+  openings: [{ type: 'door', from: [1, 0], to: [1.9, 0], sill: 0, head: 2.1 }],
+};
+
+test('every kind has the geometry and the properties of the contract', async () => {
+  const features = await featuresOf({ storeys: [everything] });
+  expect(features.map(({ geometry, properties }) => [geometry.type, properties])).toEqual([
+    ['Polygon', { kind: 'primary-boundary', storey: 0, areaM2: 12 }],
+    ['Polygon', { kind: 'secondary-boundary', storey: 0, operation: 'add', type: 'column' }],
+    ['Polygon', { kind: 'room', storey: 0, name: 'Küche "1"', areaM2: 12, heightM: 2.45, confidence: 0.9 }],
+    ['Polygon', { kind: 'wall', storey: 0, thicknessM: 0.2, confidence: 1 }],
+    ['LineString', { kind: 'opening', storey: 0, type: 'door', widthM: 0.9, sillM: 0, headM: 2.1 }],
+  ]);
+  expect(features.every(({ type }) => type === 'Feature')).toBe(true);
+});
+
+test('rings are closed, outer ones counter-clockwise, holes clockwise, however they came', async () => {
+  const primary = [{ outer: reversed(rectangle(0, 0, 4, 3)), holes: [rectangle(1, 1, 1, 1)] }];
+  const [{ geometry }] = await featuresOf({ storeys: [{ primary }] });
+  for (const positions of geometry.coordinates) expect(positions.at(-1)).toEqual(positions[0]);
+  expect(geometry.coordinates.map((positions) => Math.sign(turn(positions)))).toEqual([1, -1]);
+});
+
+test('a UTM scan gives UTM coordinates to a tenth of a millimetre', async () => {
+  const primary = [{ outer: ring(0, 0, 4.1234, 0.0001, 4.1235, 3, 0, 3.00006), holes: [] }];
+  const frame = { planOrigin: [691_000.1234, 5_334_000.4321, 512.5] as const };
+  const [{ geometry }] = await featuresOf({ storeys: [{ primary }], frame });
+  expect(geometry.coordinates[0].slice(0, 4)).toEqual([
+    [691_000.1234, 5_334_000.4321],
+    [691_004.2468, 5_334_000.4322],
+    [691_004.2469, 5_334_003.4321],
+    [691_000.1234, 5_334_003.4322],
+  ]);
+});
+
+test.each([
+  ['mm', 0.001, [1000, 2000], [5000, 5000]],
+  ['ft', 0.3048, [10, 20], [23.1234, 29.8425]],
+  ['px', 0.01, [0, 0], [400, 300]],
+] as const)('source units: %s', async (unit, metresPerUnit, [x, y], corner) => {
+  const frame = { unit, metresPerUnit, planOrigin: [x, y, 0] as const };
+  const [{ geometry, properties }] = await featuresOf({ frame });
+  expect(geometry.coordinates[0][2]).toEqual(corner);
+  expect(properties.areaM2).toBe(12);
+});
+
+test('vertices that rounding makes one are written once', async () => {
+  const primary = [{ outer: ring(0, 0, 4, 0, 4, 0.00001, 4, 3, 0, 3, 0.00001, 0.00001), holes: [] }];
+  const [{ geometry }] = await featuresOf({ storeys: [{ primary }] });
+  expect(geometry.coordinates[0]).toHaveLength(5);
+});
+
+test('all storeys are in one file', async () => {
+  const features = await featuresOf({ storeys: [{}, {}] });
+  expect(features.map(({ properties }) => properties.storey)).toEqual([0, 0, 1, 1]);
+});

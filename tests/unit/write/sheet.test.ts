@@ -1,0 +1,114 @@
+import { expect, test } from 'vitest';
+import type { Ring } from '../../../src/core/types.ts';
+import { drawSheet } from '../../../src/write/draw-sheet.ts';
+import type { LayerName, Sheet, SheetItem } from '../../../src/write/sheet.ts';
+import { disc, planOf, rectangle, ring, wallAround } from '../solid/plans.ts';
+import { home, productOf } from './products.ts';
+
+const layer = (sheet: Sheet, name: LayerName): readonly SheetItem[] =>
+  sheet.layers.find((each) => each.name === name)!.items;
+const texts = (items: readonly SheetItem[]): string[] =>
+  items.flatMap((item) => (item.kind === 'text' ? [item.text] : []));
+
+async function sheetOf(inner: Ring, thickness = 0.2): Promise<Sheet> {
+  const walls = [{ outline: wallAround(inner, thickness), thickness, confidence: 1 }];
+  return drawSheet(await productOf({ storeys: [{ primary: [{ outer: inner, holes: [] }], walls }] }), 0);
+}
+
+test.each([
+  ['a cupboard', rectangle(0, 0, 1.6, 1.2), 20, 'A4'],
+  ['a room', rectangle(0, 0, 4, 3), 50, 'A4'],
+  ['a home', rectangle(0, 0, 11, 8), 50, 'A3'],
+  ['a house', rectangle(0, 0, 18, 14), 100, 'A3'],
+  ['a tall house', rectangle(0, 0, 9, 17), 100, 'A4'],
+  ['an office', rectangle(0, 0, 45, 30), 100, 'A2'],
+  ['a hall', rectangle(0, 0, 120, 80), 200, 'A1'],
+  ['a factory', rectangle(0, 0, 400, 250), 500, 'A0'],
+  ['a campus', rectangle(0, 0, 1500, 900), 2000, 'A1'],
+  ['a town', rectangle(0, 0, 6000, 3000), 10_000, 'A1'],
+])('%s gets a fitting scale and paper', async (_, inner, scale, paper) => {
+  const sheet = await sheetOf(inner);
+  expect([sheet.scale, sheet.paper.name]).toEqual([scale, paper]);
+});
+
+test('a deep plan is drawn on paper standing upright', async () => {
+  const { paper } = await sheetOf(rectangle(0, 0, 9, 17));
+  expect(paper.height).toBeGreaterThan(paper.width);
+});
+
+test('nothing leaves the sheet or runs into the title block', async () => {
+  for (const inner of [
+    rectangle(0, 0, 4, 3),
+    rectangle(-40, 7, 30, 2),
+    rectangle(3, 3, 2, 14),
+    disc(0, 0, 9, 60),
+  ]) {
+    const sheet = await sheetOf(inner);
+    const { width, height } = sheet.paper;
+    for (const { name, items } of sheet.layers) {
+      const lowest = name === 'title' ? height : height - 40;
+      for (const item of items) {
+        const xy =
+          item.kind === 'path'
+            ? item.lines.flatMap((line) => [...line])
+            : item.kind === 'text'
+              ? [item.x, item.y]
+              : [];
+        xy.forEach((value, i) => {
+          expect(value).toBeGreaterThan(0);
+          expect(value).toBeLessThan(i % 2 === 0 ? width : lowest);
+        });
+      }
+    }
+  }
+});
+
+test('width and depth are measured over the walls, to the centimetre', async () => {
+  const sheet = await sheetOf(rectangle(0, 0, 4.123, 3));
+  expect(texts(layer(sheet, 'dimensions'))).toEqual(['4.52', '3.40']);
+});
+
+test('steps of the outline get a chain on the side they are seen from', async () => {
+  const sheet = drawSheet(await productOf(home()), 0);
+  expect(texts(layer(sheet, 'dimensions'))).toEqual(['12.00', '7.00', '5.00', '9.00', '5.40', '3.60']);
+});
+
+test('a round outline has no steps', async () => {
+  const sheet = await sheetOf(disc(0, 0, 9, 90), 0.3);
+  expect(texts(layer(sheet, 'dimensions'))).toHaveLength(2);
+});
+
+test('the area stands inside the room, rooms with their names', async () => {
+  const corner = ring(0, 0, 9, 0, 9, 1.2, 1.2, 1.2, 1.2, 9, 0, 9);
+  const unnamed = await sheetOf(corner);
+  expect(texts(layer(unnamed, 'labels'))).toEqual(['20.2 m²']);
+  const rooms = [
+    { name: 'Kitchen', outline: { outer: rectangle(0, 0, 4, 3), holes: [] }, height: 2.5, confidence: 1 },
+  ];
+  const named = drawSheet(await productOf({ storeys: [{ rooms }] }), 0);
+  expect(texts(layer(named, 'labels'))).toEqual(['Kitchen', '12.0 m²']);
+  const [label] = layer(named, 'labels');
+  const [k, , , , e] = named.planToSheet;
+  expect(label.kind === 'text' && (label.x - e) / k).toBeCloseTo(2, 1);
+});
+
+test('the legend names what is drawn and nothing else', async () => {
+  const plain = texts(layer(await sheetOf(rectangle(0, 0, 4, 3)), 'title'));
+  expect(plain).toContain('Wall');
+  expect(plain.filter((text) => /Structure|Inferred/.test(text))).toEqual([]);
+  const full = texts(layer(drawSheet(await productOf(home()), 0), 'title'));
+  expect(full.filter((text) => /Structure|Inferred/.test(text))).toHaveLength(4);
+});
+
+test('points are drawn when asked for', async () => {
+  const product = await productOf();
+  expect(layer(drawSheet(product, 0), 'points')).toEqual([]);
+  const [points] = layer(drawSheet(product, 0, { hasPoints: true }), 'points');
+  expect(points.kind === 'points' && points.xy.length).toBe(product.slice.xy.length);
+});
+
+test('a storey without anything is still a sheet', async () => {
+  const product = { ...(await productOf()), plan: planOf({ storeys: [{ primary: [], walls: [] }] }) };
+  const sheet = drawSheet(product, 0);
+  expect(sheet.planToSheet.every(Number.isFinite)).toBe(true);
+});
