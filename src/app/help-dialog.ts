@@ -1,0 +1,47 @@
+import { type FormatRow, OPENED, SAVED } from '../element/formats.ts';
+import { icon } from '../element/icon.ts';
+import { make } from '../element/make.ts';
+
+const SHORTCUTS = [
+  ['+ −', 'Zoom the view that has the focus'],
+  ['0', 'Show all of it'],
+  ['Arrow keys', 'Move it'],
+  ['Shift + arrow keys', 'Turn the model'],
+  ['Double click', 'Show all of the plan; go to a spot of the model'],
+  ['Ctrl + Z, Ctrl + Shift + Z', 'Undo and redo a parameter'],
+  ['?', 'This help'],
+] as const;
+
+const PRIVACY =
+  'Scans are read and plans are made on this device. Nothing is uploaded, nothing is counted, no other server is asked.';
+
+/** Shortcuts, formats, privacy. */
+export function makeHelpDialog(): HTMLDialogElement {
+  const close = make(
+    'button',
+    { type: 'button', 'aria-label': 'Close help', on: { click: () => dialog.close() } },
+    icon('close'),
+  );
+  const dialog = make(
+    'dialog',
+    { class: 'help', 'aria-labelledby': 'help-title' },
+    make('div', { class: 'help-head' }, make('h2', { id: 'help-title' }, 'Help'), close),
+    make('h3', {}, 'Keys'),
+    definitions(SHORTCUTS),
+    make('h3', {}, 'Opens'),
+    definitions(OPENED.map(describe)),
+    make('h3', {}, 'Saves'),
+    definitions(SAVED.map(describe)),
+    make('h3', {}, 'Privacy'),
+    make('p', {}, PRIVACY),
+  );
+  return dialog;
+}
+
+function describe({ label, doc, extensions }: FormatRow): readonly [string, string] {
+  return [`${label} (${extensions.join(', ')})`, doc];
+}
+
+function definitions(rows: readonly (readonly [string, string])[]): HTMLElement {
+  return make('dl', {}, ...rows.flatMap(([term, text]) => [make('dt', {}, term), make('dd', {}, text)]));
+}

@@ -1,0 +1,65 @@
+import { formatCount } from '../view/measure.ts';
+import type { Layout } from './contract.ts';
+import { OPENED } from './formats.ts';
+import { icon } from './icon.ts';
+import { make, setText } from './make.ts';
+import type { Actions, Model, Panel } from './model.ts';
+import { makeSwitch } from './switch.ts';
+
+const LAYOUT_LABELS: Readonly<Record<Layout, string>> = { '2d': 'Plan', split: 'Both', '3d': 'Model' };
+
+/** The bar along the top: opening, the facts of the scan, which views are shown and in which unit. */
+export function makeBar(actions: Actions): Panel {
+  const facts = make('p', { class: 'facts' });
+  const layout = makeSwitch('View', LAYOUT_LABELS, (choice) => actions.setLayout(choice));
+  const unit = makeSwitch('Unit', { m: 'm', ft: 'ft' }, (choice) => actions.setUnit(choice));
+  layout.node.classList.add('layouts');
+  unit.node.classList.add('units');
+  const node = make(
+    'div',
+    { class: 'bar', part: 'bar' },
+    make('slot', { name: 'bar-start' }),
+    makeOpenButton(actions),
+    make('slot', { name: 'bar-middle' }),
+    facts,
+    layout.node,
+    unit.node,
+    make('slot', { name: 'bar-end' }),
+  );
+  return {
+    node,
+    show(model) {
+      setText(facts, factsOf(model));
+      layout.set(model.layout);
+      unit.set(model.unit);
+    },
+  };
+}
+
+/** A file input under a label: the picker of the platform, one click away. */
+export function makeOpenButton(actions: Actions, testid = 'file-input'): HTMLLabelElement {
+  const input = make('input', {
+    type: 'file',
+    class: 'visually-hidden',
+    testid,
+    accept: OPENED.flatMap(({ extensions }) => extensions).join(','),
+    on: {
+      change: () => {
+        const [file] = input.files ?? [];
+        if (file) actions.open(file);
+        // The same file may be picked again.
+        input.value = '';
+      },
+    },
+  });
+  return make('label', { class: 'button open' }, input, icon('open'), make('span', {}, 'Open'));
+}
+
+function factsOf({ view, name }: Model): string {
+  if (!view) return name;
+  const { pointsKept, pointsRead, unit, up } = view.report.input;
+  const storeys = view.plan.storeys.length;
+  const points = `${formatCount(pointsKept)} of ${formatCount(pointsRead)} points`;
+  const parts = [view.report.input.name, points, `in ${unit}`, `${up} up`];
+  return [...parts, storeys === 1 ? '1 storey' : `${storeys} storeys`].join(' · ');
+}

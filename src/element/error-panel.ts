@@ -1,0 +1,37 @@
+import { FloorPlanError } from '../core/errors.ts';
+import { icon } from './icon.ts';
+import { make, setText } from './make.ts';
+import type { Actions, Panel } from './model.ts';
+
+/** What went wrong, where, and one thing to try. */
+export function makeErrorPanel(actions: Actions): Panel {
+  const code = make('code', { class: 'error-code' });
+  const message = make('p', { class: 'error-message' });
+  const hint = make('p', { class: 'error-hint' });
+  const close = make(
+    'button',
+    { type: 'button', class: 'icon-button', 'aria-label': 'Close', on: { click: () => actions.dismiss() } },
+    icon('close'),
+  );
+  const node = make(
+    'section',
+    { class: 'error-panel', part: 'error', testid: 'error', role: 'alert', hidden: true },
+    icon('alert'),
+    make('div', { class: 'error-words' }, message, hint, code),
+    close,
+  );
+  return {
+    node,
+    show({ error }) {
+      node.hidden = error === null;
+      if (!error) return;
+      const known = error instanceof FloorPlanError;
+      setText(message, error.message);
+      setText(
+        hint,
+        known ? error.hint : 'This is a bug. Please report it with the file, if you can share it.',
+      );
+      setText(code, known ? error.code : 'bug');
+    },
+  };
+}

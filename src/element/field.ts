@@ -1,0 +1,15 @@
+import type { ParamName, ParamRow } from '../core/params.ts';
+import type { Model } from './model.ts';
+
+/** What a person edits one value with. */
+export interface Field {
+  readonly node: HTMLElement;
+  set(value: unknown, model: Model): void;
+}
+
+export interface FieldFacts {
+  readonly id: string;
+  readonly name: ParamName;
+  readonly row: ParamRow;
+  change(value: unknown, isFinal: boolean): void;
+}

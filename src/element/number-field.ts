@@ -1,0 +1,73 @@
+import type { AutoNumberRow, NumberRow } from '../core/params.ts';
+import type { Field, FieldFacts } from './field.ts';
+import { make, setAttribute } from './make.ts';
+import { fromTravel, hasSlider, toTravel } from './slider-scale.ts';
+
+/** Fineness of a slider's travel. */
+const TRAVEL_STEPS = 1000;
+
+/** A slider, a number field, and for auto-numbers a box that gives the choice back to the program. */
+export function numberField({ id, change }: FieldFacts, row: NumberRow | AutoNumberRow): Field {
+  const { min, max, step, unit, label } = row;
+  const number = make('input', {
+    type: 'number',
+    id,
+    min,
+    max,
+    step: 'any',
+    inputmode: step % 1 === 0 ? 'numeric' : 'decimal',
+    'aria-describedby': `${id}-hint`,
+    on: {
+      change: () => {
+        const value = number.valueAsNumber;
+        if (value >= min && value <= max) change(step % 1 === 0 ? Math.round(value) : value, true);
+        setAttribute(number, 'aria-invalid', !(value >= min && value <= max));
+      },
+    },
+  });
+  const slider = make('input', {
+    type: 'range',
+    min: 0,
+    max: TRAVEL_STEPS,
+    'aria-label': label,
+    hidden: !hasSlider(row),
+    on: {
+      input: () => slide(false),
+      change: () => slide(true),
+    },
+  });
+  const slide = (isFinal: boolean) => {
+    const value = fromTravel(slider.valueAsNumber / TRAVEL_STEPS, row);
+    number.valueAsNumber = value;
+    if (auto) auto.checked = false;
+    change(value, isFinal);
+  };
+  const auto = row.kind === 'auto-number' ? makeAuto(label, () => toggle()) : null;
+  const toggle = () => {
+    if (auto?.checked) change('auto', true);
+    else slide(true);
+  };
+  const suffix = make('span', { class: 'unit' }, unit);
+  const node = make('div', { class: 'number-field' }, auto?.parentElement ?? null, slider, number, suffix);
+  return {
+    node,
+    set(value) {
+      const isAuto = value === 'auto';
+      if (auto) auto.checked = isAuto;
+      node.classList.toggle('is-auto', isAuto);
+      if (isAuto) number.value = '';
+      if (isAuto || typeof value !== 'number') return;
+      number.removeAttribute('aria-invalid');
+      if (number.valueAsNumber !== value) number.valueAsNumber = value;
+      // A slider under the hand is not moved.
+      if (!slider.matches(':active')) slider.valueAsNumber = toTravel(value, row) * TRAVEL_STEPS;
+      slider.setAttribute('aria-valuetext', `${value} ${unit}`.trim());
+    },
+  };
+}
+
+function makeAuto(label: string, onChange: () => void): HTMLInputElement {
+  const box = make('input', { type: 'checkbox', 'aria-label': `${label}: auto`, on: { change: onChange } });
+  make('label', { class: 'auto' }, box, 'Auto');
+  return box;
+}

@@ -1,0 +1,53 @@
+import { PARAM_NAMES } from '../core/params.ts';
+import { STAGE_NAMES } from '../core/stages.ts';
+import { iconButton } from './chips.ts';
+import { makeExportMenu } from './export-menu.ts';
+import { icon } from './icon.ts';
+import { make, setAttribute } from './make.ts';
+import type { Actions, Panel } from './model.ts';
+import { makeRunStatus } from './run-status.ts';
+import { makeStageRow } from './stage-row.ts';
+import { makeWarningsList } from './warnings-list.ts';
+
+/** The run from top to bottom: how it stands, its stages with their parameters, its warnings, its exports. */
+export function makeRail(actions: Actions): Panel {
+  const undo = iconButton('Undo', icon('undo'), () => actions.undo());
+  const redo = iconButton('Redo', icon('redo'), () => actions.redo());
+  const reset = iconButton('Reset all parameters', icon('reset'), () => actions.reset(PARAM_NAMES));
+  const unfold = make(
+    'button',
+    { type: 'button', class: 'button unfold', 'aria-expanded': 'false', on: { click: () => toggle() } },
+    'Steps',
+    icon('chevron'),
+  );
+  const toggle = () => {
+    const isOpen = unfold.getAttribute('aria-expanded') !== 'true';
+    setAttribute(unfold, 'aria-expanded', String(isOpen));
+    node.classList.toggle('is-open', isOpen);
+  };
+  const status = makeRunStatus(actions);
+  const warnings = makeWarningsList();
+  const rows = STAGE_NAMES.map((stage) => makeStageRow(stage, actions));
+  const exports = makeExportMenu(actions);
+  const heading = make('div', { class: 'section-head' }, make('h2', {}, 'Steps'), undo, redo, reset);
+  const stages = make('div', { class: 'stages' }, ...rows.map((row) => row.node));
+  const body = make('div', { class: 'rail-body' }, warnings.node, heading, stages);
+  const head = make('div', { class: 'rail-head' }, status.node, unfold);
+  const node = make(
+    'aside',
+    { class: 'rail', part: 'rail', 'aria-label': 'Steps' },
+    head,
+    body,
+    exports.node,
+  );
+  const panels = [status, warnings, ...rows, exports];
+  return {
+    node,
+    show(model) {
+      undo.disabled = !model.canUndo;
+      redo.disabled = !model.canRedo;
+      reset.disabled = Object.keys(model.given).length === 0;
+      for (const panel of panels) panel.show(model);
+    },
+  };
+}

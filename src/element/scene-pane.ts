@@ -1,0 +1,113 @@
+import type { SceneContent, SceneLayers, SceneView } from '../view/scene.ts';
+import type { PlanView } from '../worker/protocol.ts';
+import { iconButton, toggleChip } from './chips.ts';
+import { icon } from './icon.ts';
+import { make, setText } from './make.ts';
+import type { Model } from './model.ts';
+
+const LAYERS = { model: 'Model', cloud: 'Points', grid: 'Grid', ceiling: 'Ceiling' } as const;
+
+/** The 3D view with what switches it. Its code comes when it is first seen, so the plan does not wait for it. */
+export class ScenePane {
+  readonly #host = make('div', { class: 'scene', part: 'scene', testid: 'scene-3d' });
+  readonly #notice = make('p', { class: 'notice', hidden: true, role: 'status' });
+  readonly node: HTMLElement;
+  #layers: SceneLayers = { model: true, cloud: true, grid: true, ceiling: false };
+  #scene: SceneView | null = null;
+  #opening: Promise<SceneView | null> | null = null;
+  #shown: PlanView | null = null;
+  #name: string | null = null;
+  /** Counts connections: a scene that opens after the element has left is thrown away. */
+  #life = 0;
+
+  constructor() {
+    const chips = (Object.keys(LAYERS) as (keyof SceneLayers)[]).map((layer) =>
+      toggleChip(LAYERS[layer], this.#layers[layer], (isShown) => {
+        this.#layers = { ...this.#layers, [layer]: isShown };
+        this.#scene?.showLayers(this.#layers);
+      }),
+    );
+    const above = make(
+      'button',
+      { type: 'button', class: 'chip', on: { click: () => this.#scene?.lookFromAbove() } },
+      'From above',
+    );
+    const tools = make(
+      'div',
+      { class: 'tools' },
+      ...chips,
+      make('span', { class: 'spacer' }),
+      above,
+      iconButton('Show all of the model', icon('fit'), () => this.#scene?.fit()),
+    );
+    this.node = make(
+      'section',
+      { class: 'pane pane-3d', 'aria-label': 'Model' },
+      tools,
+      this.#host,
+      this.#notice,
+    );
+  }
+
+  disconnect(): void {
+    this.#life++;
+    this.#scene?.dispose();
+    this.#scene = null;
+    this.#opening = null;
+    this.#shown = null;
+  }
+
+  async show({ view, name }: Model): Promise<void> {
+    // A pane that is not seen costs nothing until it is.
+    if (!view || view === this.#shown || this.#host.clientWidth === 0) return;
+    this.#shown = view;
+    const scene = await this.#open();
+    if (!scene || view !== this.#shown) return;
+    const isNew = name !== this.#name;
+    this.#name = name;
+    scene.show(contentOf(view), isNew);
+    scene.showLayers(this.#layers);
+  }
+
+  async preview(positions: Float32Array): Promise<void> {
+    if (this.#shown || this.#host.clientWidth === 0) return;
+    const scene = await this.#open();
+    if (!this.#shown) scene?.preview(positions);
+  }
+
+  fit(): void {
+    this.#scene?.fit();
+  }
+
+  #open(): Promise<SceneView | null> {
+    this.#opening ??= this.#make();
+    return this.#opening;
+  }
+
+  async #make(): Promise<SceneView | null> {
+    const life = this.#life;
+    try {
+      const { SceneView } = await import('../view/scene.ts');
+      if (life !== this.#life) return null;
+      this.#scene = new SceneView(this.#host, (error) =>
+        this.#fail(`${error.message} ${error.hint} (${error.code})`),
+      );
+      return this.#scene;
+    } catch {
+      this.#fail(
+        'The part of the program that shows the model could not be fetched. Reload the page to try again.',
+      );
+      return null;
+    }
+  }
+
+  #fail(words: string): void {
+    setText(this.#notice, words);
+    this.#notice.hidden = false;
+  }
+}
+
+function contentOf({ solid, cloud, plan }: PlanView): SceneContent {
+  const top = Math.max(...plan.storeys.map(({ floor, height }) => floor + height));
+  return { solid, positions: cloud.positions, colour: cloud.colour, top };
+}

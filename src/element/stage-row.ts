@@ -1,0 +1,127 @@
+import { PARAM_NAMES, PARAMS, type ParamName, type ParamRow } from '../core/params.ts';
+import { STAGE_NAMES, STAGES, type StageName } from '../core/stages.ts';
+import { formatDuration } from '../view/measure.ts';
+import { makeControl } from './controls.ts';
+import { icon } from './icon.ts';
+import { makeLevelPicker } from './level-picker.ts';
+import { make, setAttribute, setText } from './make.ts';
+import type { Actions, Model, Panel } from './model.ts';
+import { makeStagePicture } from './stage-picture.ts';
+
+type Mark = 'waiting' | 'running' | 'done' | 'kept' | 'failed';
+
+/** One stage of the run: its state, what came out and how long it took; opens to what it does and its parameters. */
+export function makeStageRow(stage: StageName, actions: Actions): Panel {
+  const mark = make('span', { class: 'mark' });
+  const outcome = make('span', { class: 'outcome' });
+  const time = make('span', { class: 'time' });
+  const { label, doc, source } = STAGES[stage];
+  const summary = make(
+    'summary',
+    { class: 'stage-line' },
+    mark,
+    make('span', { class: 'stage-label' }, label),
+    outcome,
+    time,
+    make('span', { class: 'chevron' }, icon('chevron')),
+  );
+  const parts = makeParts(stage, actions);
+  const body = make(
+    'div',
+    { class: 'stage-body' },
+    make('p', { class: 'hint' }, source === 'ours' ? doc : `${doc} ${source}`),
+  );
+  const node = make(
+    'details',
+    { class: 'stage', 'data-stage': stage, open: stage === 'level' },
+    summary,
+    body,
+  );
+  body.append(...parts.map((part) => part.node));
+  let shown: Mark | null = null;
+  let last: Model | null = null;
+  // A closed stage has no size, so its picture waits until it opens.
+  node.addEventListener('toggle', () => {
+    for (const part of parts) if (last) part.show(last);
+  });
+  return {
+    node,
+    show(model) {
+      last = model;
+      const report = model.view?.stages.find(({ name }) => name === stage);
+      const next = markOf(stage, model);
+      if (next !== shown) mark.replaceChildren(...symbolOf(next));
+      shown = next;
+      setAttribute(node, 'data-mark', next);
+      setText(outcome, next === 'waiting' ? '' : (report?.outcome ?? ''));
+      setText(
+        time,
+        next === 'running' || !report ? '' : report.isCached ? 'kept' : formatDuration(report.ms),
+      );
+      for (const part of parts) part.show(model);
+    },
+  };
+}
+
+/** The picture, the controls, and those for few behind one more line. */
+function makeParts(stage: StageName, actions: Actions): Panel[] {
+  const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage);
+  const isAdvanced = (name: ParamName) => (PARAMS[name] as ParamRow).advanced === true;
+  const main = names.filter((name) => !isAdvanced(name)).map((name) => controlOf(name, actions));
+  const more = names.filter(isAdvanced).map((name) => controlOf(name, actions));
+  const picture = makeStagePicture(stage);
+  const parts = [...(picture ? [picture] : []), ...main];
+  if (more.length === 0) return parts;
+  const node = make(
+    'details',
+    { class: 'more' },
+    make('summary', {}, 'More'),
+    ...more.map((part) => part.node),
+  );
+  return [
+    ...parts,
+    {
+      node,
+      show(model) {
+        for (const part of more) part.show(model);
+      },
+    },
+  ];
+}
+
+function controlOf(name: ParamName, actions: Actions): Panel {
+  return PARAMS[name].kind === 'level' ? makeLevelPicker(actions) : makeControl(name, actions);
+}
+
+function markOf(stage: StageName, { state, progress, view }: Model): Mark {
+  if (state === 'loading') {
+    const at = progress ? STAGE_NAMES.indexOf(progress.stage) : 0;
+    const own = STAGE_NAMES.indexOf(stage);
+    return own < at ? 'done' : own === at ? 'running' : 'waiting';
+  }
+  if (state === 'failed' && progress?.stage === stage) return 'failed';
+  const report = view?.stages.find(({ name }) => name === stage);
+  if (!report) return 'waiting';
+  return report.isCached ? 'kept' : 'done';
+}
+
+function symbolOf(mark: Mark): Node[] {
+  const words = {
+    waiting: 'Waiting',
+    running: 'Running',
+    done: 'Done',
+    kept: 'Kept from before',
+    failed: 'Failed',
+  };
+  const text = make('span', { class: 'visually-hidden' }, words[mark]);
+  switch (mark) {
+    case 'waiting':
+      return [text];
+    case 'running':
+      return [icon('spinner'), text];
+    case 'failed':
+      return [icon('alert'), text];
+    default:
+      return [icon('check'), text];
+  }
+}

@@ -1,0 +1,49 @@
+/** Units a person reads lengths and areas in; everything inside stays in metres. */
+export type DisplayUnit = 'm' | 'ft';
+
+/** International foot and inch, exact by definition. */
+const METRES_PER_FOOT = 0.3048;
+const INCHES_PER_FOOT = 12;
+/** A scan is worth centimetres, a scale bar under the eye millimetres. */
+const METRE_DECIMALS = 3;
+
+/** A length in metres as people write it: `3.42 m`, `11′ 3″`. */
+export function formatLength(metres: number, unit: DisplayUnit): string {
+  if (unit === 'm') return `${trim(metres, METRE_DECIMALS)} m`;
+  const inches = (metres / METRES_PER_FOOT) * INCHES_PER_FOOT;
+  if (inches < INCHES_PER_FOOT) return `${trim(inches, 2)}″`;
+  const whole = Math.round(inches);
+  const rest = whole % INCHES_PER_FOOT;
+  return `${Math.floor(whole / INCHES_PER_FOOT)}′${rest === 0 ? '' : ` ${rest}″`}`;
+}
+
+/** An area in square metres: `14.2 m²`, `153 ft²`. */
+export function formatArea(squareMetres: number, unit: DisplayUnit): string {
+  if (unit === 'm') return `${squareMetres.toFixed(1)} m²`;
+  return `${Math.round(squareMetres / METRES_PER_FOOT ** 2)} ft²`;
+}
+
+/** `12,345`. */
+export function formatCount(count: number): string {
+  return Math.round(count).toLocaleString('en-GB');
+}
+
+/** `3 ms`, `1.2 s`, `2 min`. */
+export function formatDuration(ms: number): string {
+  if (ms < 1) return '< 1 ms';
+  if (ms < 1000) return `${Math.round(ms)} ms`;
+  return ms < 60_000 ? `${(ms / 1000).toFixed(1)} s` : `${Math.round(ms / 60_000)} min`;
+}
+
+/** Lengths a scale bar may show, metres, rising; each reads as a round number in its unit. */
+export function roundLengths(unit: DisplayUnit): readonly number[] {
+  const decades = [1e-3, 1e-2, 1e-1, 1, 10, 100, 1000];
+  if (unit === 'm') return decades.flatMap((decade) => [decade, 2 * decade, 5 * decade]);
+  const inches = [0.25, 0.5, 1, 2, 3, 6].map((inch) => (inch * METRES_PER_FOOT) / INCHES_PER_FOOT);
+  const feet = [1, 10, 100, 1000].flatMap((decade) => [decade, 2 * decade, 5 * decade]);
+  return [...inches, ...feet.map((foot) => foot * METRES_PER_FOOT)];
+}
+
+function trim(value: number, decimals: number): string {
+  return String(Number(value.toFixed(decimals)));
+}

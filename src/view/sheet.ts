@@ -1,0 +1,200 @@
+import type { Frame, Slice } from '../core/types.ts';
+import type { DisplayUnit } from './measure.ts';
+import { PanZoom } from './pan-zoom.ts';
+import { type Drawing, parseDrawing, type SheetTransform } from './parse-drawing.ts';
+import { PointLayer } from './point-layer.ts';
+import { ScaleBar } from './scale-bar.ts';
+
+export interface SheetContent {
+  /** The SVG text that is exported. */
+  readonly drawing: string;
+  readonly frame: Frame;
+  /** Name of the scan. */
+  readonly source: string;
+  /** Points beneath the drawing. */
+  readonly slice: Slice;
+}
+
+/** Room left around the sheet when it is fitted, px. */
+const MARGIN = 16;
+/** Coordinates are read to a millimetre, whatever the source unit. */
+const DECIMALS_OF_METRES = 3;
+
+/** The 2D view: the exported SVG itself with pan and zoom, the slice's points beneath it, a scale bar and coordinates. */
+export class SheetView {
+  readonly #host: HTMLElement;
+  readonly #page = document.createElement('div');
+  readonly #points = new PointLayer();
+  readonly #paper = document.createElement('div');
+  readonly #scaleBar = new ScaleBar();
+  readonly #coordinates = document.createElement('div');
+  readonly #panZoom: PanZoom;
+  readonly #resize: ResizeObserver;
+  #drawing: Drawing | null = null;
+  #frame: Frame | null = null;
+  #unit: DisplayUnit = 'm';
+  #isFitted = true;
+  #pending = 0;
+
+  /** @param host an empty element; it gets the keyboard focus and the gestures */
+  constructor(host: HTMLElement) {
+    this.#host = host;
+    host.tabIndex = 0;
+    host.setAttribute('role', 'group');
+    host.setAttribute('aria-label', 'Floor plan. Arrow keys move, plus and minus zoom, 0 shows all.');
+    this.#page.className = 'page';
+    this.#paper.className = 'paper';
+    this.#paper.dataset.testid = 'plan-svg';
+    this.#paper.hidden = true;
+    this.#coordinates.className = 'coordinates';
+    this.#scaleBar.node.hidden = true;
+    host.append(this.#page, this.#points.node, this.#paper, this.#coordinates, this.#scaleBar.node);
+    this.#panZoom = new PanZoom(host, { onMove: () => this.#moved(), onFit: () => this.fit() });
+    this.#resize = new ResizeObserver(() => (this.#isFitted ? this.fit() : this.#schedule()));
+    this.#resize.observe(host);
+    host.addEventListener('pointermove', this.#point);
+    host.addEventListener('pointerleave', this.#leave);
+    host.addEventListener('transitionend', this.#recolour);
+  }
+
+  /** Shows a drawing; place and zoom stay where the sheet is the same, unless it `isNew`. @throws input/malformed */
+  show({ drawing, frame, source, slice }: SheetContent, isNew: boolean): void {
+    const next = parseDrawing(drawing);
+    const isSame = this.#drawing !== null && String(next.planToSheet) === String(this.#drawing.planToSheet);
+    next.svg.dataset.source = source;
+    next.svg.classList.add('drawing');
+    next.svg.setAttribute('role', 'img');
+    next.svg.style.width = `${next.width}px`;
+    next.svg.style.height = `${next.height}px`;
+    this.#drawing = next;
+    this.#frame = frame;
+    this.#paper.replaceChildren(next.svg);
+    this.#points.set(slice.xy, slice.spacing);
+    this.#paper.hidden = false;
+    this.#scaleBar.node.hidden = false;
+    if (isSame && !isNew && !this.#isFitted) this.#schedule();
+    else this.fit();
+  }
+
+  /** Shows points seen from above before there is a drawing; the axis of least extent is taken as height. */
+  preview(positions: Float32Array): void {
+    if (this.#drawing) return;
+    const { xy, planToSheet } = flatten(positions, this.#host);
+    this.#points.set(xy, 0);
+    this.#points.draw(planToSheet, { zoom: 1, x: 0, y: 0 });
+  }
+
+  setUnit(unit: DisplayUnit): void {
+    this.#unit = unit;
+    this.#schedule();
+  }
+
+  showPoints(isShown: boolean): void {
+    this.#points.node.hidden = !isShown;
+    if (isShown) this.#schedule();
+  }
+
+  fit(): void {
+    if (!this.#drawing) return;
+    const { width, height } = this.#drawing;
+    this.#panZoom.fit(width, height, MARGIN);
+    this.#isFitted = true;
+  }
+
+  zoomIn(): void {
+    this.#panZoom.zoomIn();
+  }
+
+  zoomOut(): void {
+    this.#panZoom.zoomOut();
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#pending);
+    this.#resize.disconnect();
+    this.#panZoom.dispose();
+    this.#host.removeEventListener('pointermove', this.#point);
+    this.#host.removeEventListener('pointerleave', this.#leave);
+    this.#host.removeEventListener('transitionend', this.#recolour);
+    this.#host.replaceChildren();
+  }
+
+  #moved(): void {
+    this.#isFitted = false;
+    this.#schedule();
+  }
+
+  #schedule(): void {
+    cancelAnimationFrame(this.#pending);
+    this.#pending = requestAnimationFrame(() => this.#draw());
+  }
+
+  #draw(): void {
+    const drawing = this.#drawing;
+    if (!drawing) return;
+    const placement = this.#panZoom.placement;
+    const { zoom, x, y } = placement;
+    const [a, b] = drawing.planToSheet;
+    drawing.svg.style.transform = `matrix(${zoom}, 0, 0, ${zoom}, ${x}, ${y})`;
+    this.#page.style.transform = `translate(${x}px, ${y}px)`;
+    this.#page.style.width = `${zoom * drawing.width}px`;
+    this.#page.style.height = `${zoom * drawing.height}px`;
+    this.#scaleBar.show(zoom * Math.hypot(a, b), this.#unit);
+    if (!this.#points.node.hidden) this.#points.draw(drawing.planToSheet, placement);
+  }
+
+  readonly #point = (event: PointerEvent): void => {
+    if (!this.#drawing || !this.#frame) return;
+    const { left, top } = this.#host.getBoundingClientRect();
+    const { zoom, x, y } = this.#panZoom.placement;
+    const [sx, sy] = [(event.clientX - left - x) / zoom, (event.clientY - top - y) / zoom];
+    const [px, py] = invert(this.#drawing.planToSheet, sx, sy);
+    const { planOrigin, metresPerUnit, unit } = this.#frame;
+    const decimals = Math.max(0, Math.ceil(DECIMALS_OF_METRES + Math.log10(metresPerUnit)));
+    const read = (value: number) => value.toFixed(decimals);
+    const source = [planOrigin[0] + px / metresPerUnit, planOrigin[1] + py / metresPerUnit];
+    this.#coordinates.textContent = `${read(source[0])}, ${read(source[1])} ${unit}`;
+  };
+
+  readonly #leave = (): void => {
+    this.#coordinates.textContent = '';
+  };
+
+  /** The host's colour has a transition, so its end tells that the theme changed. */
+  readonly #recolour = ({ target }: Event): void => {
+    if (target === this.#host) this.#schedule();
+  };
+}
+
+function invert([a, b, c, d, e, f]: SheetTransform, x: number, y: number): readonly [number, number] {
+  const determinant = a * d - b * c;
+  return [(d * (x - e) - c * (y - f)) / determinant, (a * (y - f) - b * (x - e)) / determinant];
+}
+
+/** Positions without their axis of least extent, and the transform that fits them into `host`. */
+function flatten(
+  positions: Float32Array,
+  host: HTMLElement,
+): { xy: Float64Array; planToSheet: SheetTransform } {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; i++) {
+    low[i % 3] = Math.min(low[i % 3], positions[i]);
+    high[i % 3] = Math.max(high[i % 3], positions[i]);
+  }
+  const extent = high.map((value, axis) => value - low[axis]);
+  const flat = extent.indexOf(Math.min(...extent));
+  const [u, v] = [0, 1, 2].filter((axis) => axis !== flat);
+  const xy = new Float64Array((positions.length / 3) * 2);
+  for (let i = 0; i < positions.length / 3; i++) {
+    xy[2 * i] = positions[3 * i + u];
+    xy[2 * i + 1] = positions[3 * i + v];
+  }
+  const { clientWidth, clientHeight } = host;
+  const k = Math.min(
+    (clientWidth - 2 * MARGIN) / Math.max(extent[u], Number.EPSILON),
+    (clientHeight - 2 * MARGIN) / Math.max(extent[v], Number.EPSILON),
+  );
+  const [cx, cy] = [(low[u] + high[u]) / 2, (low[v] + high[v]) / 2];
+  return { xy, planToSheet: [k, 0, 0, -k, clientWidth / 2 - k * cx, clientHeight / 2 + k * cy] };
+}

@@ -1,0 +1,166 @@
+import { readFile } from 'node:fs/promises';
+import { dropFile, expect, expectReady, openPlan, roomCsv, stagesRun, test } from './plan-page.ts';
+
+/** Every format the page offers, with what its file must begin with or hold. */
+const CONTENT: Readonly<Record<string, RegExp>> = {
+  svg: /<svg[\s\S]*<\/svg>/,
+  'minimal-svg': /<path/,
+  dxf: /^\s*(0|999)\r?\n/,
+  geojson: /"FeatureCollection"/,
+  glb: /^glTF/,
+  json: /"version"/,
+  frame: /"metresPerUnit"|"origin"/,
+  slice: /^x,y\r?\n/,
+  rooms: /^name,/,
+};
+
+test('a sample loads by itself: plan, model and facts are shown', async ({ page }) => {
+  await openPlan(page);
+  const drawing = page.getByTestId('plan-svg');
+  await expect(drawing).toBeVisible();
+  expect(await drawing.locator('path').count()).toBeGreaterThan(1);
+  await expect(page.getByText(/home\.ply · [\d,]+ of [\d,]+ points · in m · z up · 1 storey/)).toBeVisible();
+  await expect
+    .poll(async () => coloursIn(page, await page.getByTestId('scene-3d').screenshot()))
+    .toBeGreaterThan(50);
+  await expect(page).toHaveTitle(/home\.ply/);
+});
+
+test('the drawing on screen is the SVG that is exported', async ({ page }) => {
+  await openPlan(page);
+  const saved = await download(page, 'svg');
+  const shown = await page
+    .getByTestId('plan-svg')
+    .evaluate((svg) => [...svg.querySelectorAll('path')].map((p) => p.getAttribute('d')));
+  const inFile = await page.evaluate((text) => {
+    const svg = new DOMParser().parseFromString(text, 'image/svg+xml');
+    return [...svg.querySelectorAll('path')].map((p) => p.getAttribute('d'));
+  }, saved.toString('utf8'));
+  expect(shown).toEqual(inFile);
+});
+
+test('a dropped file becomes a plan, and every export is one click', async ({ page }) => {
+  await page.goto('./?src=');
+  await expect(page.getByText('Drop a scan, get its floor plan')).toBeVisible();
+  await dropFile(page, 'room.csv', roomCsv());
+  await expectReady(page);
+  await expect(page.getByText(/room\.csv · /)).toBeVisible();
+  const ids = await page
+    .locator('[data-testid^=export-]')
+    .evaluateAll((all) => all.map((b) => (b as HTMLElement).dataset.testid!));
+  const formats = ids.map((id) => id.replace('export-', ''));
+  for (const format of Object.keys(CONTENT)) expect(formats).toContain(format);
+  for (const format of formats) {
+    const bytes = await download(page, format);
+    expect(bytes.length, format).toBeGreaterThan(10);
+    const expected = CONTENT[format];
+    if (expected) expect(bytes.toString('latin1'), format).toMatch(expected);
+  }
+});
+
+test('a picked file becomes a plan', async ({ page }) => {
+  await page.goto('./?src=');
+  await page
+    .getByTestId('file-input')
+    .setInputFiles({ name: 'room.csv', mimeType: 'text/csv', buffer: Buffer.from(roomCsv()) });
+  await expectReady(page);
+});
+
+test('?src= loads a scan by its address', async ({ page }) => {
+  await openPlan(page, '?src=samples/hallway.csv');
+  await expect(page.getByText(/hallway\.csv · /)).toBeVisible();
+});
+
+test('cancel stops a run and keeps the last plan', async ({ page }) => {
+  await openPlan(page);
+  const before = await page.getByTestId('plan-svg').innerHTML();
+  await dropFile(page, 'big.csv', roomCsv(0.0075));
+  await expect(page.getByTestId('progress')).toBeVisible();
+  await page.getByTestId('cancel').click();
+  await expect(page.getByTestId('status')).toHaveText('Plan ready');
+  await expect(page.getByTestId('progress')).toBeHidden();
+  expect(await page.getByTestId('plan-svg').innerHTML()).toBe(before);
+  expect((await download(page, 'geojson')).length).toBeGreaterThan(10);
+});
+
+test('an error says what was found and what to try, and the last plan stays', async ({ page }) => {
+  await openPlan(page);
+  const before = await page.getByTestId('plan-svg').innerHTML();
+  await dropFile(page, 'letter.ply', 'Dear reader, this is no point cloud.');
+  const error = page.getByTestId('error');
+  await expect(error).toBeVisible();
+  await expect(error.locator('code')).toHaveText(/^input\//);
+  await expect(error.locator('.error-hint')).not.toBeEmpty();
+  expect(await page.getByTestId('plan-svg').innerHTML()).toBe(before);
+  await error.getByRole('button', { name: 'Close' }).click();
+  await expect(error).toBeHidden();
+  await expect(page.getByTestId('status')).toHaveText('Plan ready');
+});
+
+test('a level can be picked; what came before the level is kept', async ({ page }) => {
+  await openPlan(page);
+  const before = await page.getByTestId('plan-svg').innerHTML();
+  for (const level of [0, 1, 2])
+    await expect(page.getByTestId(`level-${level}`)).toContainText(/points.*per m²/);
+  const chosen = await page.locator('.level[aria-pressed=true]').getAttribute('data-testid');
+  const other = chosen === 'level-0' ? 'level-1' : 'level-0';
+  await page.getByTestId(other).click();
+  await expect(page.getByTestId(other)).toHaveAttribute('aria-pressed', 'true');
+  await expectReady(page);
+  expect(await page.getByTestId('plan-svg').innerHTML()).not.toBe(before);
+  expect(await stagesRun(page)).not.toContain('read');
+  expect(await stagesRun(page)).toContain('level');
+});
+
+test('a changed parameter runs again from its stage only, and can be undone', async ({ page }) => {
+  await openPlan(page);
+  const before = await page.getByTestId('plan-svg').innerHTML();
+  await page.locator('[data-stage=plan] > summary').click();
+  const thickness = page.getByRole('spinbutton', { name: 'Wall thickness' });
+  await thickness.fill('0.5');
+  await thickness.press('Enter');
+  await expect.poll(() => stagesRun(page)).toEqual(['plan', 'solid']);
+  const changed = await page.getByTestId('plan-svg').innerHTML();
+  expect(changed).not.toBe(before);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(thickness).toHaveValue('0.2');
+  await expect.poll(() => page.getByTestId('plan-svg').innerHTML()).toBe(before);
+  await page.getByRole('group', { name: /^Floor plan/ }).press('Control+Shift+z');
+  await expect.poll(() => page.getByTestId('plan-svg').innerHTML()).toBe(changed);
+});
+
+test('the number of structures brings a choice of operation for each', async ({ page }) => {
+  await openPlan(page);
+  await page.locator('[data-stage=secondary] > summary').click();
+  const count = page.getByRole('spinbutton', { name: 'Secondary boundaries' });
+  await count.fill('2');
+  await count.press('Enter');
+  await page.getByRole('combobox', { name: 'Structure 2' }).selectOption('add');
+  await expectReady(page);
+  const options = await page.evaluate(
+    () => (document.querySelector('floor-plan') as unknown as { options: object }).options,
+  );
+  expect(options).toEqual({ secondaryCount: 2, secondaryOperation: ['subtract', 'add'] });
+});
+
+async function download(page: import('@playwright/test').Page, format: string): Promise<Buffer> {
+  const [saved] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByTestId(`export-${format}`).click(),
+  ]);
+  return readFile(await saved.path());
+}
+
+/** Distinct colours of a picture: a blank one has few. */
+async function coloursIn(page: import('@playwright/test').Page, png: Buffer): Promise<number> {
+  return page.evaluate(async (base64) => {
+    const picture = await createImageBitmap(
+      new Blob([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))]),
+    );
+    const canvas = new OffscreenCanvas(picture.width, picture.height);
+    const context = canvas.getContext('2d')!;
+    context.drawImage(picture, 0, 0);
+    const pixels = new Uint32Array(context.getImageData(0, 0, picture.width, picture.height).data.buffer);
+    return new Set(pixels).size;
+  }, png.toString('base64'));
+}

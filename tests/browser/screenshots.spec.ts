@@ -1,0 +1,45 @@
+import { expect, expectReady, openPlan, test } from './plan-page.ts';
+
+const FOLDER = new URL('../../.cache/screenshots/', import.meta.url).pathname;
+
+/** Pictures of every state, to look at; that the page renders them without an error is all that is asserted. */
+for (const colorScheme of ['light', 'dark'] as const) {
+  for (const [size, viewport] of [
+    ['wide', { width: 1440, height: 900 }],
+    ['phone', { width: 390, height: 844 }],
+  ] as const) {
+    test(`pictures: ${size}, ${colorScheme}`, async ({ page }) => {
+      await page.emulateMedia({ colorScheme });
+      await page.setViewportSize(viewport);
+      const take = (state: string) =>
+        page.screenshot({ path: `${FOLDER}${state}-${size}-${colorScheme}.png` });
+      await page.goto('./?src=');
+      await take('empty');
+      await openPlan(page);
+      await page.waitForTimeout(1500);
+      await take('plan');
+      if (size === 'phone') {
+        await page.getByRole('button', { name: 'Model', exact: true }).first().click();
+        await page.waitForTimeout(2500);
+        await take('model');
+        await page.getByRole('button', { name: 'Steps' }).click();
+        await take('steps');
+        await page.getByRole('button', { name: 'Plan', exact: true }).click();
+        await page.getByRole('button', { name: 'Steps' }).click();
+      }
+      await page.getByTestId('file-input').setInputFiles({
+        name: 'letter.ply',
+        mimeType: 'text/plain',
+        buffer: Buffer.from('Dear reader'),
+      });
+      await expect(page.getByTestId('error')).toBeVisible();
+      await take('error');
+      for (const sample of ['office', 'hallway']) {
+        await page.goto(`./?src=samples/${sample}.${sample === 'office' ? 'ply' : 'csv'}`);
+        await expectReady(page);
+        await page.waitForTimeout(1500);
+        await take(sample);
+      }
+    });
+  }
+}
