@@ -1,4 +1,5 @@
 import { readFileSync } from 'node:fs';
+import type { Plugin } from 'vite';
 import { defineConfig, type UserConfig } from 'vitest/config';
 
 const manifest = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8'));
@@ -10,8 +11,39 @@ const external = [
   ...Object.keys(manifest.optionalDependencies),
 ].map((name) => new RegExp(`^${name}(/|$)`));
 
+/** What the built page may do: run and show its own files, and fetch the scan a person names. */
+const policy = [
+  "default-src 'none'",
+  "script-src 'self'",
+  "style-src 'self'",
+  "img-src 'self' data: blob:",
+  "worker-src 'self' blob:",
+  "connect-src 'self' https: blob: data:",
+  "font-src 'self'",
+  "manifest-src 'self'",
+  "base-uri 'none'",
+  "form-action 'none'",
+].join('; ');
+
+/** Only the built page carries the policy: the development server needs inline styles and a web socket. */
+const contentSecurityPolicy: Plugin = {
+  name: 'content-security-policy',
+  apply: 'build',
+  transformIndexHtml: () => [
+    {
+      tag: 'meta',
+      attrs: { 'http-equiv': 'Content-Security-Policy', content: policy },
+      injectTo: 'head-prepend',
+    },
+  ],
+};
+
 /** The static site around the element. Relative paths, so that it runs from any folder. */
-const site: UserConfig = { base: './', build: { outDir: 'dist/site', target: 'es2023' } };
+const site: UserConfig = {
+  base: './',
+  plugins: [contentSecurityPolicy],
+  build: { outDir: 'dist/site', target: 'es2023' },
+};
 
 /** The doors of the package: library, element class, registration, worker. */
 const library: UserConfig = {

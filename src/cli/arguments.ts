@@ -1,7 +1,7 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { parseParam } from '../core/options.ts';
 import { kebabCase, type Options, PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
-import { WRITE_FORMATS } from '../write/formats.ts';
+import { SIDECARS, WRITE_FORMATS, type WriteFormatName } from '../write/formats.ts';
 
 /** What a person asked of the command. */
 export interface Command {
@@ -70,7 +70,8 @@ function parseFormats(text: string): readonly string[] {
       hint: `Formats are ${Object.keys(WRITE_FORMATS).join(', ')}.`,
     });
   }
-  return names.filter((name) => name !== 'report');
+  const wanted = names.filter((name) => name !== 'report') as WriteFormatName[];
+  return [...new Set(wanted.flatMap((name) => [name, ...(SIDECARS[name] ?? [])]))];
 }
 
 function checkComplete(inputs: readonly string[], folder: string): void {

@@ -58,7 +58,7 @@ function outputFolders({ inputs, folder }: Command): readonly string[] {
 }
 
 async function runOne(input: string, folder: string, command: Command, signal: AbortSignal): Promise<Report> {
-  const session = new Session({ now: () => performance.now(), strokeTest: createStrokeTest(), breathe });
+  const session = new Session({ strokeTest: createStrokeTest(), breathe });
   const bar = progressBar(fileName(input));
   const start = performance.now();
   const source = /^https?:/.test(input) ? urlSource(input) : await nodeSource(input);

@@ -1,4 +1,4 @@
-import { polygonArea } from '../core/geometry/ring.ts';
+import { polygonArea } from '../core/geometry/rings.ts';
 import { vertexCount } from '../core/pipeline.ts';
 import type { Axis, Unit, Warning } from '../core/types.ts';
 import { checkSolid } from '../solid/check-solid.ts';

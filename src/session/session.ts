@@ -7,6 +7,7 @@ import type { ByteSource } from '../read/source.ts';
 import { makeSolid } from '../solid/make-solid.ts';
 import { writeFiles } from '../write/formats.ts';
 import type { Product, WrittenFile } from '../write/plan-writer.ts';
+import { DEFAULT_HOOKS } from './default-hooks.ts';
 import type { RunResult } from './result.ts';
 
 export interface SessionControl extends RunControl {
@@ -29,8 +30,9 @@ export class Session {
   #open: OpenSource | null = null;
   #result: RunResult | null = null;
 
-  constructor(hooks: PipelineHooks) {
-    this.#hooks = hooks;
+  /** @param hooks what the environment does better than its defaults: a clock, a canvas, a pause between stages */
+  constructor(hooks: Partial<PipelineHooks> = {}) {
+    this.#hooks = { ...DEFAULT_HOOKS, ...hooks };
   }
 
   /** The last good run. */
@@ -78,7 +80,8 @@ export class Session {
         const read = await readScan(source, readOptions, {
           signal: control.signal,
           onPreview: control.onPreview,
-          onProgress: (share) => context.progress(share),
+          onProgress: ({ bytesRead, totalBytes }) =>
+            context.progress(totalBytes ? bytesRead / totalBytes : 0),
         });
         for (const warning of read.warnings) context.warn(warning);
         return read;
@@ -91,7 +94,7 @@ export class Session {
     const solid = await run.stage(
       'solid',
       options,
-      (context) => makeSolid(planned.plan, options, context),
+      ({ warn }) => makeSolid(planned.plan, options, warn),
       ({ indices }) => `${(indices.length / 3).toLocaleString('en-GB')} triangles`,
     );
     return { ...planned, options, scan, solid, stages: run.stages, warnings: run.warnings };

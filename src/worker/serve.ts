@@ -2,7 +2,6 @@ import { FloorPlanError, toPlainError } from '../core/errors.ts';
 import { blobSource } from '../read/blob-source.ts';
 import { urlSource } from '../read/url-source.ts';
 import { Session, type SessionControl } from '../session/session.ts';
-import { createStrokeTest } from './canvas-stroke.ts';
 import type { Request, Response } from './protocol.ts';
 import { makeView } from './view.ts';
 
@@ -18,7 +17,7 @@ const PROGRESS_INTERVAL = 33;
  * @returns the receiver of requests
  */
 export function serve(post: Post): (request: Request) => void {
-  const session = new Session({ now: () => performance.now(), strokeTest: createStrokeTest(), breathe });
+  const session = new Session({ breathe });
   let running = new AbortController();
   let last: Promise<void> = Promise.resolve();
 

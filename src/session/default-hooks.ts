@@ -1,0 +1,18 @@
+import { canvasStrokeTest } from '../core/canvas-stroke.ts';
+import { FloorPlanError } from '../core/errors.ts';
+import type { PipelineHooks } from '../core/pipeline.ts';
+
+/** The environment's own clock and canvas, in browser and worker; Node has no canvas of its own. */
+export const DEFAULT_HOOKS: PipelineHooks = {
+  now: () => performance.now(),
+  strokeTest: canvasStrokeTest(() => {
+    const canvas = typeof OffscreenCanvas === 'undefined' ? null : new OffscreenCanvas(1, 1);
+    const context = canvas?.getContext('2d');
+    if (context) return context;
+    throw new FloorPlanError(
+      'environment/canvas',
+      'expected an OffscreenCanvas with a 2D context, found none',
+      { hint: 'Use a current browser, take the robust secondary method, or hand the session a stroke test.' },
+    );
+  }),
+};

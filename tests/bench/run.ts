@@ -1,0 +1,43 @@
+/**
+ * `npm run bench [-- NAME…]`: every stage by size, readers in MB/s, the paper's slice, memory and the page, as a table
+ * and as JSON in .cache/bench/results.json. Machines are noisy: compare figures of one run.
+ */
+import { mkdir, writeFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { cacheFolder } from './clouds.ts';
+import { benchMemory } from './memory.ts';
+import { benchPage } from './page.ts';
+import { benchPaperSlice } from './paper-slice.ts';
+import { benchReading } from './reading.ts';
+import { benchStages } from './stages.ts';
+
+/** One measured figure. */
+export interface Figure {
+  readonly name: string;
+  readonly value: number;
+  readonly unit: string;
+  readonly note?: string;
+}
+
+const benches: Record<string, () => Promise<readonly Figure[]>> = {
+  stages: benchStages,
+  reading: benchReading,
+  'paper-slice': benchPaperSlice,
+  memory: benchMemory,
+  page: benchPage,
+};
+
+const chosen = process.argv.slice(2);
+const unknown = chosen.find((name) => !Object.hasOwn(benches, name));
+if (unknown) throw new Error(`No bench "${unknown}"; there are ${Object.keys(benches).join(', ')}.`);
+
+const results: Record<string, readonly Figure[]> = {};
+for (const name of chosen.length > 0 ? chosen : Object.keys(benches)) {
+  console.log(`\n${name}`);
+  results[name] = await benches[name]();
+  for (const { name: figure, value, unit, note = '' } of results[name]) {
+    console.log(`  ${figure.padEnd(44)} ${value.toPrecision(4).padStart(10)} ${unit.padEnd(10)} ${note}`);
+  }
+}
+await mkdir(cacheFolder, { recursive: true });
+await writeFile(join(cacheFolder, 'results.json'), `${JSON.stringify(results, null, 2)}\n`);

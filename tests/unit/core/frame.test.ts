@@ -1,0 +1,252 @@
+import { describe, expect, test } from 'vitest';
+import { uprightRotation } from '../../../src/core/frame/rotation.ts';
+import { orient } from '../../../src/core/frame.ts';
+import { resolveOptions } from '../../../src/core/options.ts';
+import { createRandom } from '../../../src/core/random.ts';
+import type { Axis, Frame, PointCloud, Scan, Unit } from '../../../src/core/types.ts';
+import {
+  centroidOf,
+  codesOf,
+  concat,
+  listen,
+  makeScan,
+  makeSliceScan,
+  roomPoints,
+  strayPoints,
+  tiltMatrix,
+  transform,
+  transpose,
+} from './made-scan.ts';
+
+const ROOM = roomPoints();
+const AXES: readonly Axis[] = ['z', '-z', 'y', '-y', 'x', '-x'];
+
+function run(scan: Scan, given: Parameters<typeof resolveOptions>[0] = {}) {
+  const { context, warnings } = listen();
+  const cloud = orient(scan, resolveOptions(given, { isSlice: scan.isSlice }), context);
+  return { cloud, codes: codesOf(warnings) };
+}
+
+/** Source coordinates of a plan point, as documented at Frame. */
+function sourcePlan({ planOrigin, metresPerUnit }: Frame, x: number, y: number, z: number) {
+  return [
+    planOrigin[0] + x / metresPerUnit,
+    planOrigin[1] + y / metresPerUnit,
+    planOrigin[2] + z / metresPerUnit,
+  ];
+}
+
+function determinant([a, b, c, d, e, f, g, h, i]: readonly number[]): number {
+  return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
+}
+
+function largestDifference(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  let most = 0;
+  for (let i = 0; i < a.length; i++) most = Math.max(most, Math.abs(a[i] - b[i]));
+  return most;
+}
+
+describe('up', () => {
+  test.each(AXES)('%s is found and the asymmetric L is not mirrored', (up) => {
+    const source = transform(ROOM, transpose(uprightRotation(up)));
+    const { cloud, codes } = run(makeScan(source));
+    expect(cloud.frame.up).toBe(up);
+    expect(determinant(cloud.frame.rotation)).toBeCloseTo(1, 12);
+    expect(largestDifference(cloud.positions, ROOM)).toBeLessThan(1e-5);
+    expect(codes).toEqual([]);
+  });
+
+  test('y up gives the plan (x, −z)', () => {
+    const source = transform(ROOM, transpose(uprightRotation('y')));
+    const { cloud } = run(makeScan(source, { origin: [10, 20, 30] }));
+    const [x, y, z] = sourcePlan(cloud.frame, cloud.positions[0], cloud.positions[1], cloud.positions[2]);
+    expect(x).toBeCloseTo(source[0], 4);
+    expect(y).toBeCloseTo(-source[2], 4);
+    expect(z).toBeCloseTo(source[1], 4);
+  });
+
+  test('a corridor narrower than high stands on its floor', () => {
+    const corridor = roomPoints({ corners: [0, 0, 14, 0, 14, 2.2, 0, 2.2], height: 2.7 });
+    expect(run(makeScan(corridor)).cloud.frame.up).toBe('z');
+  });
+
+  test('what a person names is taken', () => {
+    const { cloud } = run(makeScan(ROOM), { up: 'x' });
+    expect(cloud.frame.up).toBe('x');
+    expect(cloud.reasons.up).toContain('given');
+  });
+
+  test('a dense wall does not outweigh a sparse floor', () => {
+    const wall: number[] = [];
+    for (let x = 0; x < 7; x += 0.01) for (let z = 0; z < 2.7; z += 0.01) wall.push(x, 0, z);
+    expect(run(makeScan(concat(ROOM, wall))).cloud.frame.up).toBe('z');
+  });
+
+  test('a handful of points is upright by convention, with a warning', () => {
+    const { cloud, codes } = run(makeScan([0, 0, 0, 4, 0, 0, 4, 3, 0, 0, 3, 2.5]));
+    expect(cloud.frame.up).toBe('z');
+    expect(codes).toContain('frame/up-guessed');
+  });
+});
+
+describe('floor and ceiling', () => {
+  test('are found to a few millimetres', () => {
+    const { cloud } = run(makeScan(roomPoints({ floor: 12.3, height: 3.1, noise: 0.01 })));
+    expect(cloud.floor).toBeCloseTo(12.3, 2);
+    expect(cloud.ceiling).toBeCloseTo(15.4, 2);
+  });
+
+  test.each([0.002, 0.01])('%f of stray points move nothing', (share) => {
+    const strays = strayPoints((share * ROOM.length) / 3, 4, createRandom(7));
+    const { cloud } = run(makeScan(concat(ROOM, strays)));
+    expect(cloud.frame.up).toBe('z');
+    expect(cloud.frame.tilt).toBe(0);
+    expect(cloud.floor).toBeCloseTo(0, 2);
+    expect(cloud.ceiling).toBeCloseTo(2.7, 2);
+  });
+
+  test('a ceiling that was not scanned is null', () => {
+    const open = ROOM.filter((_, i) => ROOM[i - (i % 3) + 2] < 2.65);
+    const { cloud } = run(makeScan(open));
+    expect(cloud.floor).toBeCloseTo(0, 2);
+    expect(cloud.ceiling).toBeNull();
+  });
+
+  test('a floor that was not scanned is null', () => {
+    const upper = ROOM.filter((_, i) => ROOM[i - (i % 3) + 2] > 1);
+    const { cloud } = run(makeScan(upper), { up: 'z' });
+    expect(cloud.floor).toBeNull();
+    expect(cloud.ceiling).toBeCloseTo(2.7, 2);
+  });
+});
+
+describe('levelling', () => {
+  test('a level scan keeps its coordinates to the last bit', () => {
+    const scan = makeScan(ROOM, { origin: [3, 4, 5] });
+    const { cloud } = run(scan);
+    expect(cloud.frame.tilt).toBe(0);
+    expect(cloud.frame.origin).toEqual([3, 4, 5]);
+    expect(cloud.positions).toEqual(scan.positions);
+  });
+
+  test.each([0.5, 3, 8, 14])('a tilt of %f° is taken out about the centroid', (degrees) => {
+    const angle = (degrees * Math.PI) / 180;
+    const pivot = centroidOf(ROOM);
+    const centred = ROOM.map((value, i) => value - pivot[i % 3]);
+    const source = transform(centred, tiltMatrix(angle, 0.6)).map((value, i) => value + pivot[i % 3]);
+    const { cloud, codes } = run(makeScan(source));
+    expect(codes).toEqual(['frame/levelled']);
+    expect((cloud.frame.tilt * 180) / Math.PI).toBeCloseTo(degrees, 1);
+    expect(determinant(cloud.frame.rotation)).toBeCloseTo(1, 12);
+    const back = new Float64Array(ROOM.length);
+    for (let i = 0; i < back.length; i += 3) {
+      back.set(
+        sourcePlan(cloud.frame, cloud.positions[i], cloud.positions[i + 1], cloud.positions[i + 2]),
+        i,
+      );
+    }
+    expect(largestDifference(back, ROOM)).toBeLessThan(0.003);
+    expect(cloud.ceiling! - cloud.floor!).toBeCloseTo(2.7, 2);
+  });
+
+  test('a tilt past 15° is left, with a warning', () => {
+    const source = transform(ROOM, tiltMatrix((17 * Math.PI) / 180, 0.6));
+    const { cloud, codes } = run(makeScan(source));
+    expect(cloud.frame.tilt).toBe(0);
+    expect(codes).toContain('frame/tilt-too-large');
+  });
+
+  test('can be switched off', () => {
+    const source = transform(ROOM, tiltMatrix(0.05, 0.6));
+    expect(run(makeScan(source), { levelling: false }).cloud.frame.tilt).toBe(0);
+  });
+
+  test('a ramp between upright walls stays a ramp', () => {
+    const ramp = ROOM.map((value, i) => (i % 3 === 2 ? value + 0.05 * ROOM[i - 2] : value));
+    expect(run(makeScan(ramp)).cloud.frame.tilt).toBe(0);
+  });
+});
+
+describe('unit', () => {
+  const scales: [Unit, number][] = [
+    ['m', 1],
+    ['cm', 100],
+    ['mm', 1000],
+    ['ft', 1 / 0.3048],
+  ];
+
+  test.each(scales)('%s is judged from the storey height', (unit, perMetre) => {
+    const { cloud, codes } = run(makeScan(ROOM.map((value) => value * perMetre)));
+    expect(cloud.frame.unit).toBe(unit);
+    expect(largestDifference(cloud.positions, ROOM)).toBeLessThan(1e-5);
+    expect(codes).toEqual(unit === 'm' ? [] : ['frame/unit-guessed']);
+    expect(cloud.reasons.unit).toContain(unit);
+  });
+
+  test('what the file states counts, and what a person gives counts more', () => {
+    expect(run(makeScan(ROOM, { unit: 'us-ft' })).cloud.frame.metresPerUnit).toBe(1200 / 3937);
+    expect(run(makeScan(ROOM, { unit: 'us-ft' }), { unit: 'cm' }).cloud.frame.metresPerUnit).toBe(0.01);
+  });
+
+  test('UTM coordinates come back to the millimetre', () => {
+    const origin = [691_234, 5_334_567, 519] as const;
+    const utm = ROOM.map((value, i) => value + origin[i % 3] + 0.125);
+    const { cloud } = run(makeScan(utm, { origin }));
+    for (const i of [0, 300, ROOM.length - 3]) {
+      const [x, y, z] = sourcePlan(
+        cloud.frame,
+        cloud.positions[i],
+        cloud.positions[i + 1],
+        cloud.positions[i + 2],
+      );
+      expect(Math.abs(x - utm[i])).toBeLessThan(1e-5);
+      expect(Math.abs(y - utm[i + 1])).toBeLessThan(1e-5);
+      expect(Math.abs(z - utm[i + 2])).toBeLessThan(1e-5);
+    }
+  });
+});
+
+describe('clouds without height', () => {
+  const SLICE = [0, 0, 700, 0, 700, 300, 400, 300, 400, 500, 0, 500];
+
+  test('a ready slice is in the plan frame and in pixels', () => {
+    const { cloud, codes } = run(makeSliceScan(SLICE));
+    expect(cloud.isFlat).toBe(true);
+    expect(cloud.frame.unit).toBe('px');
+    expect(cloud.frame.metresPerUnit).toBe(0.01);
+    expect(cloud.frame.rotation).toEqual([1, 0, 0, 0, 1, 0, 0, 0, 1]);
+    expect([...cloud.positions.slice(3, 6)]).toEqual([7, 0, 0]);
+    expect(codes).toEqual([]);
+  });
+
+  test('a slice that is tiny in pixels is asked about', () => {
+    expect(run(makeSliceScan(SLICE.map((value) => value / 100))).codes).toEqual(['frame/small-slice']);
+  });
+
+  test.each(['x', 'y', 'z'] as const)('a cloud flat along %s is seen along it', (up) => {
+    const flat = ROOM.map((value, i) => (i % 3 === 2 ? 1.5 : value));
+    const { cloud, codes } = run(makeScan(transform(flat, transpose(uprightRotation(up)))));
+    expect(cloud.frame.up).toBe(up);
+    expect(cloud.isFlat).toBe(true);
+    expect(largestDifference(cloud.positions, flat)).toBeLessThan(1e-5);
+    expect(codes).toContain('frame/flat-cloud');
+  });
+});
+
+describe('clouds that enclose nothing', () => {
+  const refused: [string, number[], string][] = [
+    ['no point', [], 'input/too-few-points'],
+    ['two points', [0, 0, 0, 1, 1, 1], 'input/too-few-points'],
+    ['equal points', [1, 2, 3, 1, 2, 3, 1, 2, 3], 'input/degenerate'],
+    ['points on a line', [0, 0, 0, 1, 2, 3, 2, 4, 6, 3, 6, 9], 'input/degenerate'],
+  ];
+
+  test.each(refused)('%s: refused', (_, points, code) => {
+    expect(() => run(makeScan(points))).toThrow(expect.objectContaining({ code }));
+  });
+});
+
+test('one cloud, one result', () => {
+  const results: PointCloud[] = [run(makeScan(ROOM)).cloud, run(makeScan(ROOM)).cloud];
+  expect(results[0]).toEqual(results[1]);
+});

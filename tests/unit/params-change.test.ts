@@ -1,0 +1,97 @@
+import { createHash } from 'node:crypto';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { simulate, writePly } from '../../fixtures/simulator/index.ts';
+import { homeBuilding } from '../../fixtures/simulator/layouts.ts';
+import { structureSlice } from '../../fixtures/simulator/slices.ts';
+import { createStrokeTest } from '../../src/cli/canvas-stroke.ts';
+import { type Options, PARAM_NAMES, type ParamName } from '../../src/core/params.ts';
+import { blobSource } from '../../src/read/blob-source.ts';
+import { Session } from '../../src/session/session.ts';
+
+interface Change {
+  /** `scan`: a furnished home; `slice`: a room with a structure in it, two columns. */
+  readonly on: 'scan' | 'slice';
+  readonly from?: Partial<Options>;
+  readonly to: Partial<Options>;
+}
+
+/** For every parameter a change that must be seen in what is written. */
+const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
+  preset: { on: 'scan', to: { preset: 'paper' } },
+  resolution: { on: 'scan', to: { resolution: 0.2 } },
+  pointBudget: { on: 'scan', to: { pointBudget: 2000 } },
+  unit: { on: 'scan', to: { unit: 'ft' } },
+  pixelsPerMetre: { on: 'slice', to: { pixelsPerMetre: 50 } },
+  up: { on: 'scan', to: { up: 'x' } },
+  levelling: { on: 'scan', to: { levelling: false } },
+  outlierNeighbours: { on: 'scan', from: { outlierDeviations: 1 }, to: { outlierNeighbours: 40 } },
+  outlierDeviations: { on: 'scan', to: { outlierDeviations: 0 } },
+  level: { on: 'scan', to: { level: '0:1' } },
+  levelRule: { on: 'scan', to: { levelRule: 'count' } },
+  keepFloorAndCeiling: { on: 'scan', to: { keepFloorAndCeiling: true } },
+  samplesPer50M2: { on: 'scan', to: { samplesPer50M2: 1000 } },
+  boundary: { on: 'scan', to: { boundary: 'convex' } },
+  openingLength: { on: 'scan', to: { openingLength: 5 } },
+  bridgeGap: { on: 'slice', from: { openingLength: 0.08 }, to: { bridgeGap: 0 } },
+  alpha: { on: 'scan', from: { boundary: 'alpha-shape' }, to: { alpha: 3 } },
+  concavity: { on: 'scan', from: { boundary: 'concaveman' }, to: { concavity: 6 } },
+  radialPass: {
+    on: 'slice',
+    from: { douglasPeuckerPass: false, visvalingamPass: false },
+    to: { radialPass: false },
+  },
+  douglasPeuckerPass: { on: 'slice', to: { douglasPeuckerPass: false } },
+  visvalingamPass: { on: 'slice', from: { visvalingamEpsilon: 0.05 }, to: { visvalingamPass: false } },
+  epsilon: { on: 'scan', to: { epsilon: 0.3 } },
+  visvalingamEpsilon: { on: 'scan', to: { visvalingamEpsilon: 0.5 } },
+  secondaryCount: { on: 'slice', to: { secondaryCount: 1 } },
+  secondaryMethod: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryMethod: 'robust' } },
+  secondaryOperation: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryOperation: ['add'] } },
+  secondarySample: { on: 'slice', from: { secondaryCount: 1 }, to: { secondarySample: 0.05 } },
+  strokeWidth: { on: 'slice', from: { secondaryCount: 1 }, to: { strokeWidth: 0.3 } },
+  secondaryEpsilon: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryEpsilon: 0.4 } },
+  secondaryRounds: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryRounds: 2 } },
+  wallThickness: { on: 'scan', to: { wallThickness: 0.4 } },
+  wallSide: { on: 'scan', to: { wallSide: 'centre' } },
+  wallHeight: { on: 'scan', to: { wallHeight: 1 } },
+  floorSlab: { on: 'scan', to: { floorSlab: false } },
+  ceilingSlab: { on: 'scan', to: { ceilingSlab: true } },
+  slabThickness: { on: 'scan', to: { slabThickness: 0.5 } },
+  csg: { on: 'slice', from: { secondaryCount: 1, csg: 'slabs' }, to: { csg: 'bsp' } },
+};
+
+const session: Partial<Record<Change['on'], Session>> = {};
+
+beforeAll(async () => {
+  const scan = { voxel: 0.06, raysPerStation: 20_000, stationsPerRoom: 1 };
+  const pose = { tilt: 0.04 };
+  const home = simulate({ name: 'home', building: homeBuilding(3), scan, pose });
+  const { xy } = structureSlice();
+  const rows = Array.from({ length: xy.length / 2 }, (_, i) => `${xy[2 * i]},${xy[2 * i + 1]}`);
+  session.scan = await open(new Blob([writePly({ positions: home.positions })]), 'home.ply');
+  session.slice = await open(new Blob([`x,y\n${rows.join('\n')}\n`]), 'room.csv');
+});
+
+async function open(blob: Blob, name: string): Promise<Session> {
+  const opened = new Session({ strokeTest: createStrokeTest() });
+  await opened.load(blobSource(blob, name));
+  return opened;
+}
+
+async function fingerprint(on: Change['on'], options: Partial<Options>): Promise<string> {
+  await session[on]!.update(options);
+  const hash = createHash('sha256');
+  for (const format of ['geojson', 'slice', 'glb'])
+    for (const { content } of session[on]!.write(format)) hash.update(content);
+  return hash.digest('hex');
+}
+
+describe('every parameter changes what is written', () => {
+  it.each(Object.entries(CHANGES))('%s', async (_, { on, from = {}, to }) => {
+    expect(await fingerprint(on, { ...from, ...to })).not.toBe(await fingerprint(on, from));
+  });
+
+  it('covers the table', () => {
+    expect(['seed', ...Object.keys(CHANGES)].sort()).toEqual([...PARAM_NAMES].sort());
+  });
+});

@@ -1,0 +1,44 @@
+import { describe, expect, it } from 'vitest';
+import {
+  formatArea,
+  formatCount,
+  formatDuration,
+  formatLength,
+  roundLengths,
+} from '../../../src/view/measure.ts';
+
+describe('formatLength', () => {
+  it.each([
+    [0, '0 m'],
+    [3.4200001, '3.42 m'],
+    [12, '12 m'],
+    [0.005, '0.005 m'],
+  ])('%f m reads %s', (metres, text) => expect(formatLength(metres, 'm')).toBe(text));
+
+  it.each([
+    [0.3048, '1′'],
+    [3.429, '11′ 3″'],
+    [0.0127, '0.5″'],
+    // Just below twelve feet must not read 11′ 12″.
+    [3.6575, '12′'],
+  ])('%f m reads %s in feet', (metres, text) => expect(formatLength(metres, 'ft')).toBe(text));
+});
+
+describe('other measures', () => {
+  it('areas', () => {
+    expect(formatArea(14.24, 'm')).toBe('14.2 m²');
+    expect(formatArea(9.290304, 'ft')).toBe('100 ft²');
+  });
+  it('counts and durations', () => {
+    expect(formatCount(1234567)).toBe('1,234,567');
+    expect([0.2, 12.4, 1250, 125_000].map(formatDuration)).toEqual(['< 1 ms', '12 ms', '1.3 s', '2 min']);
+  });
+});
+
+describe('roundLengths', () => {
+  it.each(['m', 'ft'] as const)('rise, and read as round numbers in %s', (unit) => {
+    const lengths = roundLengths(unit);
+    expect([...lengths].sort((a, b) => a - b)).toEqual([...lengths]);
+    for (const length of lengths) expect(formatLength(length, unit)).toMatch(/^\d+(\.\d+)?( m|′|″)$/);
+  });
+});
