@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
-import type { Plugin } from 'vite';
-import { defineConfig, type UserConfig } from 'vitest/config';
+import type { Plugin, UserConfig } from 'vite';
+import { defineConfig } from 'vitest/config';
 
 const manifest = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8'));
 

@@ -5,14 +5,12 @@ import { orient2d } from 'robust-predicates';
 import { expect } from 'vitest';
 import type { Polygon, Ring } from '../src/core/types.ts';
 
-/** What is wrong with a ring: fewer than three vertices, not finite, repeated vertex, edges that meet, no area. */
+/** What is wrong with a ring: fewer than three vertices, not finite, repeated vertex, edges that meet or fold. */
 export function ringProblems(ring: Ring, name = 'ring'): string[] {
   const n = ring.length / 2;
   if (!Number.isInteger(n) || n < 3) return [`${name}: expected 3 or more vertices, found ${n}`];
   if (!ring.every(Number.isFinite)) return [`${name}: a coordinate is not finite`];
-  const problems = edgeConflicts([ring]).map((conflict) => `${name}: ${conflict}`);
-  if (problems.length === 0 && twiceArea(ring) === 0) problems.push(`${name}: encloses no area`);
-  return problems;
+  return edgeConflicts([ring]).map((conflict) => `${name}: ${conflict}`);
 }
 
 /**
@@ -21,10 +19,10 @@ export function ringProblems(ring: Ring, name = 'ring'): string[] {
  */
 export function polygonProblems(polygon: Polygon, name = 'polygon'): string[] {
   const problems = ringProblems(polygon.outer, `${name} outer`);
-  if (!(twiceArea(polygon.outer) > 0)) problems.push(`${name} outer: expected counter-clockwise`);
+  if (turnOf(polygon.outer) <= 0) problems.push(`${name} outer: expected counter-clockwise`);
   polygon.holes.forEach((hole, h) => {
     problems.push(...ringProblems(hole, `${name} hole ${h}`));
-    if (!(twiceArea(hole) < 0)) problems.push(`${name} hole ${h}: expected clockwise`);
+    if (turnOf(hole) >= 0) problems.push(`${name} hole ${h}: expected clockwise`);
     if (!liesInside(hole, polygon.outer)) problems.push(`${name} hole ${h}: lies outside the outer ring`);
   });
   if (problems.length === 0) {
@@ -48,6 +46,15 @@ export function expectValidPolygon(polygon: Polygon, name?: string): void {
 export function expectValidPolygons(polygons: readonly Polygon[]): void {
   expect(polygons.length).toBeGreaterThan(0);
   expect(polygons.flatMap((polygon, p) => polygonProblems(polygon, `polygon ${p}`))).toEqual([]);
+}
+
+/** 1 for a counter-clockwise simple ring, -1 for a clockwise one, exactly: its turn at the leftmost, lowest vertex. */
+export function turnOf(ring: Ring): number {
+  const vertices = Array.from({ length: ring.length / 2 }, (_, k): Point => [ring[2 * k], ring[2 * k + 1]]);
+  const isBefore = (a: Point, b: Point) => a[0] < b[0] || (a[0] === b[0] && a[1] < b[1]);
+  const least = vertices.reduce((best, vertex, k) => (isBefore(vertex, vertices[best]) ? k : best), 0);
+  const at = (k: number) => vertices[(k + vertices.length) % vertices.length];
+  return -side(at(least - 1), at(least), at(least + 1));
 }
 
 /** Twice the signed area, relative to the first vertex. */

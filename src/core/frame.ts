@@ -25,14 +25,18 @@ const PLANE_BINS = 12;
 const REFINE_ROUNDS = 4;
 /** A ready slice narrower than this, m, was hardly drawn in canvas pixels. */
 const LEAST_SLICE = 1;
-/** Trimmed bounds grown by this share hold a centroid's points: all of a clean cloud, no far stray of another. */
+/**
+ * Trimmed bounds grown by this share hold a centroid's points: all of a clean cloud, no far stray of another.
+ */
 const CENTROID_MARGIN = 0.5;
 
 /**
- * Turns a cloud upright and into metres: judges its unit, finds up, levels a tilt of up to 15°, finds floor and ceiling.
+ * Turns a cloud upright and into metres: judges its unit, finds up, levels a tilt of up to 15°, finds floor
+ * and ceiling.
  *
- * [Stojanovic19] §3 does this by hand. The plan frame is right-handed and seen from above; a scan that stands level keeps
- * its coordinates to the last bit. Levelling is the smallest rotation about the centroid of the points. O(n).
+ * [Stojanovic19] §3 does this by hand. The plan frame is right-handed and seen from above; a scan that stands
+ * level keeps its coordinates to the last bit. Levelling is the smallest rotation about the centroid of the
+ * points. O(n).
  *
  * @param scan source axes and units
  * @throws input/too-few-points, input/degenerate
@@ -98,7 +102,10 @@ function uprightCloud({ scan, patches, gravity, unit, tilted }: Upright): PointC
   };
 }
 
-/** Moves a plane's height to the mean of the points around it, again and again: patches are cut at voxel faces. */
+/**
+ * Moves a plane's height to the mean of the points around it, again and again: patches are cut at voxel
+ * faces.
+ */
 function refineHeight(positions: Float32Array, height: number, reach: number): number {
   let refined = height;
   for (let round = 0; round < REFINE_ROUNDS; round++) {

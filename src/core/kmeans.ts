@@ -1,7 +1,10 @@
 import { kmeans } from 'ml-kmeans';
 import { distinctPoints } from './geometry/point-order.ts';
 
-/** Points handed to ml-kmeans; more are sampled evenly and assigned to the nearest centre afterwards (100 k: 0.5 s). */
+/**
+ * Points handed to ml-kmeans; more are sampled evenly and assigned to the nearest centre afterwards (100 k:
+ * 0.5 s).
+ */
 const SAMPLE = 20_000;
 const ITERATIONS = 100;
 
@@ -16,7 +19,8 @@ export interface Clusters {
 }
 
 /**
- * k-means clusters of points in the plane, started by k-means++ ([Arthur07]) with a seed ([Stojanovic19] §3.1).
+ * k-means clusters of points in the plane, started by k-means++ ([Arthur07]) with a seed ([Stojanovic19]
+ * §3.1).
  *
  * Clusters are numbered from left to right, so numbers do not depend on the start.
  *

@@ -28,10 +28,11 @@ export interface ChosenLevel {
 /**
  * Splits a cloud into three levels and chooses one ([Stojanovic19] §3).
  *
- * Reference heights are the least, mean and greatest height of the points; each point belongs to the nearest, so the cuts
- * lie halfway between. Points of the floor and ceiling planes are left out before (§3.1), unless `keepFloorAndCeiling`.
- * `levelRule` takes the level with the most points per m² of its bounding box, or, as the paper does, the most points.
- * A flat cloud has all points in the middle level, whatever `level` says. O(n).
+ * Reference heights are the least, mean and greatest height of the points; each point belongs to the nearest,
+ * so the cuts lie halfway between. Points of the floor and ceiling planes are left out before (§3.1), unless
+ * `keepFloorAndCeiling`. `levelRule` takes the level with the most points per m² of its bounding box, or, as
+ * the paper does, the most points. A flat cloud has all points in the middle level, whatever `level` says.
+ * O(n).
  *
  * @param kept indices of the points that are no outliers
  * @throws input/too-few-points when the level chosen holds fewer than three points
@@ -71,8 +72,8 @@ export function chooseLevel(
 }
 
 /**
- * Heights between which a storey stands, m: its floor and ceiling planes, or where there are none the lowest and highest
- * point that is no outlier.
+ * Heights between which a storey stands, m: its floor and ceiling planes, or where there are none the lowest
+ * and highest point that is no outlier.
  */
 export function storeyRange(
   { positions, floor, ceiling }: PointCloud,

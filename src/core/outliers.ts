@@ -9,9 +9,17 @@ import type { PointCloud } from './types.ts';
 
 /** Points whose neighbour distances stand for all. */
 const SAMPLE = 5_000;
-/** Distances past this many medians are left out of mean and deviation: far strays must not hide the near ones. */
+/**
+ * Distances past this many medians are left out of mean and deviation: far strays must not hide the near
+ * ones.
+ */
 const CLIP_FACTOR = 10;
-/** In however even a cloud, a point no lonelier than this many times the mean is no outlier. */
+/**
+ * Outliers are no more than this share of the points: where there are more, they are a surface scanned less
+ * densely …
+ */
+const MOST_OUTLIERS = 0.05;
+/** … so a point is none unless it is this many times as lonely as the loneliest of the others. */
 const LEAST_FACTOR = 2;
 /** Components lie at least this many limits apart. */
 const COMPONENT_CELL = 4;
@@ -23,10 +31,10 @@ const CELL_SAMPLE = 200_000;
 /**
  * Indices of the points that are no outliers, rising.
  *
- * [Stojanovic19] §3: an outlier is far from the main cluster and not part of a dense one. Two tests: the mean distance to
- * the `outlierNeighbours` nearest points is more than `outlierDeviations` deviations above the mean over the cloud
- * ([Rusu08] §4, here with mean and deviation free of the far strays themselves); or the point is in a small component outside
- * the bounding box of the largest. O(n) for clouds of even density.
+ * [Stojanovic19] §3: an outlier is far from the main cluster and not part of a dense one. Two tests: the mean
+ * distance to the `outlierNeighbours` nearest points is more than `outlierDeviations` deviations above the
+ * mean over the cloud ([Rusu08] §4, here with mean and deviation free of the far strays themselves); or the
+ * point is in a small component outside the bounding box of the largest. O(n) for clouds of even density.
  *
  * @param cloud metres; a flat one is searched in its plane
  */
@@ -60,19 +68,30 @@ function unflagged(flags: Uint8Array): Uint32Array {
 
 /** Mean distance to the neighbours past which a point is lonely, m. */
 function lonelinessLimit(positions: Float32Array, neighbours: number, deviations: number): number {
-  const stride = Math.max(1, Math.floor(positions.length / 3 / SAMPLE));
-  const index = indexCells(positions, surfaceSpacing(positions) * Math.sqrt(neighbours));
-  const nearest = new Float64Array(neighbours);
-  const distances = new Float64Array(Math.ceil(positions.length / 3 / stride));
-  for (let i = 0; i < distances.length; i++) {
-    const p = 3 * i * stride;
-    distances[i] = meanNeighbourDistance(index, positions.subarray(p, p + 3), nearest);
-  }
+  const distances = sampleDistances(positions, neighbours).sort();
   const { mean, deviation } = momentsUpTo(distances, CLIP_FACTOR * medianOf(distances));
-  return Math.max(mean + deviations * deviation, LEAST_FACTOR * mean);
+  const rare = distances[Math.floor((1 - MOST_OUTLIERS) * (distances.length - 1))];
+  return Math.max(mean + deviations * deviation, LEAST_FACTOR * rare);
 }
 
-/** Rough distance between points on the scanned surfaces: the area of the cells they occupy shared among them. */
+/** Mean neighbour distances of an even sample; cells grow until at least half of them are exact. */
+function sampleDistances(positions: Float32Array, neighbours: number): Float64Array {
+  const stride = Math.max(1, Math.floor(positions.length / 3 / SAMPLE));
+  const distances = new Float64Array(Math.ceil(positions.length / 3 / stride));
+  const nearest = new Float64Array(neighbours);
+  for (let edge = surfaceSpacing(positions) * Math.sqrt(neighbours); ; edge *= 2) {
+    const index = indexCells(positions, edge);
+    for (let i = 0; i < distances.length; i++) {
+      const p = 3 * i * stride;
+      distances[i] = meanNeighbourDistance(index, positions.subarray(p, p + 3), nearest);
+    }
+    if (medianOf(distances.slice()) < edge) return distances;
+  }
+}
+
+/**
+ * Rough distance between points on the scanned surfaces: the area of the cells they occupy shared among them.
+ */
 function surfaceSpacing(positions: Float32Array): number {
   const points = positions.length / 3;
   const edge = largestExtent(trimmedBounds(positions)) / DIVISION || 1;

@@ -13,18 +13,23 @@ import {
 import { orientRing, perimeter, signedArea } from './geometry/rings.ts';
 import type { Polygon, Ring } from './types.ts';
 
-/** Grid of the offsets: the sweep is exact on integers, and a micrometre is far below what a plan can mean. */
+/**
+ * Grid of the offsets: the sweep is exact on integers, and a micrometre is far below what a plan can mean.
+ */
 const STEPS_PER_METRE = 1e6;
-/** Corners are mitred up to this many offsets away, which takes angles down to 60°; sharper ones are squared. */
+/**
+ * Corners are mitred up to this many offsets away, which takes angles down to 60°; sharper ones are squared.
+ */
 const MITRE_LIMIT = 2;
 /** A ring thinner than this on average, m, is debris of rounding. */
 const DEBRIS_WIDTH = 1e-5;
 
 /**
- * The contour of a polygon drawn with a pen of some width: what a canvas stroke would cover ([Stojanovic19] §3), as areas.
+ * The contour of a polygon drawn with a pen of some width: what a canvas stroke would cover ([Stojanovic19]
+ * §3), as areas.
  *
- * Where the contour closes over a courtyard or a narrow room it fills it. Vertices of the polygon that are vertices of the
- * contour keep their coordinates to the last bit; all others are within 1 µm.
+ * Where the contour closes over a courtyard or a narrow room it fills it. Vertices of the polygon that are
+ * vertices of the contour keep their coordinates to the last bit; all others are within 1 µm.
  *
  * @param polygon metres; outer ring counter-clockwise, holes clockwise
  * @param reach metres of pen outside the polygon and inside of it; together more than 0

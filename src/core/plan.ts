@@ -33,8 +33,8 @@ export interface PlanParts {
 /**
  * The floor plan: the regularised boundaries with walls drawn along the primary ones ([Stojanovic19] §3).
  *
- * One storey, from the lowest floor to the highest ceiling. `warnings` is left empty for the caller, who knows those of the
- * whole run.
+ * One storey, from the lowest floor to the highest ceiling. `warnings` is left empty for the caller, who
+ * knows those of the whole run.
  */
 export function makePlan(parts: PlanParts, context: Pick<StageContext, 'warn'>): FloorPlan {
   const { source, cloud, boundary, regularised, secondary, options } = parts;

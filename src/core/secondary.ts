@@ -8,9 +8,10 @@ import type { Operation, RegularisedBoundary, SecondaryBoundary, SecondaryResult
 /**
  * Secondary boundaries: columns, shafts and cubicles inside the primary boundary ([Stojanovic19] §3.1).
  *
- * `paper` is the paper's clustering with the stroke filter, which keeps the innermost points, so its ring is smaller than
- * the structure by the thickness of the structure's walls; `robust` outlines groups of points detached from the walls by
- * their outer face, as the room sees it. Both look for `secondaryCount`, and say so when they find fewer.
+ * `paper` is the paper's clustering with the stroke filter, which keeps the innermost points, so its ring is
+ * smaller than the structure by the thickness of the structure's walls; `robust` outlines groups of points
+ * detached from the walls by their outer face, as the room sees it. Both look for `secondaryCount`, and say
+ * so when they find fewer.
  *
  * @param slice metres, plan frame
  * @param regularised primary boundary

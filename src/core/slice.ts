@@ -11,9 +11,9 @@ const SAMPLE_AREA = 50;
 /**
  * Points of one level seen from above, uniformly down-sampled ([Stojanovic19] §4).
  *
- * A lattice over the plan with as many cells as points are wanted; of each cell the point nearest its middle stays, so the
- * order of the points does not matter. The seed shifts the lattice. A ready slice below the wanted density stays as it is.
- * O(n).
+ * A lattice over the plan with as many cells as points are wanted; of each cell the point nearest its middle
+ * stays, so the order of the points does not matter. The seed shifts the lattice. A ready slice below the
+ * wanted density stays as it is. O(n).
  *
  * @param indices points of the level
  * @param band heights above the floor, m

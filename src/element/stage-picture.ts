@@ -18,7 +18,7 @@ export function makeStagePicture(stage: StageName): Panel | null {
   let drawn: PlanView | null = null;
   const draw = (view: PlanView) => {
     drawn = view;
-    drawSlice(canvas, view.slice.xy, stage === 'secondary' ? view.secondary.clusters : undefined);
+    void drawSlice(canvas, view.slice.xy, stage === 'secondary' ? view.secondary.clusters : undefined);
   };
   // The canvas's colour has a transition, so its end tells that the theme changed.
   canvas.addEventListener('transitionend', () => drawn && draw(drawn));

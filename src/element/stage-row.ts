@@ -25,25 +25,27 @@ export function makeStageRow(stage: StageName, actions: Actions): Panel {
     time,
     make('span', { class: 'chevron' }, icon('chevron')),
   );
-  const parts = makeParts(stage, actions);
-  const body = make(
-    'div',
-    { class: 'stage-body' },
-    make('p', { class: 'hint' }, source === 'ours' ? doc : `${doc} ${source}`),
-  );
+  const body = make('div', { class: 'stage-body' });
   const node = make(
     'details',
     { class: 'stage', 'data-stage': stage, open: stage === 'level' },
     summary,
     body,
   );
-  body.append(...parts.map((part) => part.node));
+  let parts: readonly Panel[] | null = null;
   let shown: Mark | null = null;
   let last: Model | null = null;
-  // A closed stage has no size, so its picture waits until it opens.
-  node.addEventListener('toggle', () => {
-    for (const part of parts) if (last) part.show(last);
-  });
+  // What a stage holds is made when it first opens: thirty controls that nobody sees would slow the page's start.
+  const showParts = () => {
+    if (!node.open || !last) return;
+    if (!parts) {
+      parts = makeParts(stage, actions);
+      const words = source === 'ours' ? doc : `${doc} ${source}`;
+      body.append(make('p', { class: 'hint' }, words), ...parts.map((part) => part.node));
+    }
+    for (const part of parts) part.show(last);
+  };
+  node.addEventListener('toggle', showParts);
   return {
     node,
     show(model) {
@@ -58,7 +60,7 @@ export function makeStageRow(stage: StageName, actions: Actions): Panel {
         time,
         next === 'running' || !report ? '' : report.isCached ? 'kept' : formatDuration(report.ms),
       );
-      for (const part of parts) part.show(model);
+      showParts();
     },
   };
 }

@@ -32,9 +32,11 @@ export function cellMate(iy: number, iz: number): number {
  * Blocks of cells are scattered, cells stay in their block: a scan that runs along a wall finds the next cell in cache.
  */
 export function cellPlace(ix: number, iy: number, iz: number): number {
-  const block = finish(
-    Math.imul(ix >> BLOCK_BITS, A) + Math.imul(iy >> BLOCK_BITS, B) + Math.imul(iz >> BLOCK_BITS, C),
-  );
+  // Cells of one name must meet in one place.
+  const x = Math.imul((ix & AXIS_MASK) >> BLOCK_BITS, A);
+  const y = Math.imul((iy & AXIS_MASK) >> BLOCK_BITS, B);
+  const z = Math.imul((iz & AXIS_MASK) >> BLOCK_BITS, C);
+  const block = finish(x + y + z);
   const within = (((iz & IN_BLOCK) << BLOCK_BITS) | (iy & IN_BLOCK)) << BLOCK_BITS;
   // Flipped by bits of the block: walls fill the same layer of many blocks.
   return (block << (3 * BLOCK_BITS)) | ((within | (ix & IN_BLOCK)) ^ (block >>> (32 - 3 * BLOCK_BITS)));

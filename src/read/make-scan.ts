@@ -3,8 +3,6 @@ import { orderByCell } from './cell-order.ts';
 import type { OpenCloud } from './cloud-reader.ts';
 import { diagonalOf, powerOfTwoBelow, type Thinning } from './thinning.ts';
 
-/** Points enough to find the middle. */
-const SAMPLE_POINTS = 1 << 12;
 /** Cell that orders a slice, which has none, as a share of its extent. */
 const ORDER_SHARE = 2 ** -15;
 
@@ -20,7 +18,7 @@ export interface ScanFacts {
 /** The points that thinning kept, in an order that does not depend on the file's. Complexity: O(n). */
 export function makeScan(thinning: Thinning, { name, format, bytes, cloud, target }: ScanFacts): Scan {
   const { xyz, count, bounds } = thinning;
-  const origin = middleOf(thinning);
+  const origin = thinning.sample.middle();
   const cell = thinning.cell || powerOfTwoBelow(diagonalOf(bounds) * ORDER_SHARE);
   const indices = orderByCell({ xyz, count, cell, centre: origin });
   return {
@@ -45,7 +43,7 @@ export function makeScan(thinning: Thinning, { name, format, bytes, cloud, targe
 }
 
 /** x, y, z of the points at `indices`, source units, relative to `origin`. */
-export function positionsOf({ xyz }: Thinning, indices: Uint32Array, origin: Vec3): Float32Array {
+function positionsOf({ xyz }: Thinning, indices: Uint32Array, origin: Vec3): Float32Array {
   const [x, y, z] = origin;
   const positions = new Float32Array(3 * indices.length);
   for (let i = 0; i < indices.length; i++) {
@@ -55,16 +53,6 @@ export function positionsOf({ xyz }: Thinning, indices: Uint32Array, origin: Vec
     positions[3 * i + 2] = xyz[at + 2] - z;
   }
   return positions;
-}
-
-/** Median of each axis, rounded down to a whole unit: strays do not move it, and float32 is finest around it. */
-export function middleOf(thinning: Thinning): Vec3 {
-  const sample = thinning.sample(SAMPLE_POINTS);
-  const median = (axis: number) => {
-    const values = Float64Array.from(sample, (index) => thinning.xyz[3 * index + axis]).sort();
-    return Math.floor(values[values.length >> 1]);
-  };
-  return [median(0), median(1), median(2)];
 }
 
 function warningsOf({ dropped, read, cell, count }: Thinning, target: number): Warning[] {

@@ -76,7 +76,7 @@ function headerLines(head: Uint8Array): HeaderLines {
   while (begin < head.length) {
     const end = head.indexOf(endByte, begin);
     // A file may end with its header, and the header without an end of line.
-    const line = decode(head.subarray(begin, end < 0 ? head.length : end)).trim();
+    const line = latin1(head.subarray(begin, end < 0 ? head.length : end)).trim();
     const isLast = line === 'end_header';
     if (end < 0 && !isLast) break;
     lines.push(line);
@@ -84,10 +84,6 @@ function headerLines(head: Uint8Array): HeaderLines {
     if (isLast) return { lines, end: begin, isWhole: true };
   }
   return { lines, end: begin, isWhole: false };
-}
-
-function decode(bytes: Uint8Array): string {
-  return latin1(bytes.subarray(0, 4096));
 }
 
 function parseHeader(name: string, { lines, end }: HeaderLines): PlyHeader {

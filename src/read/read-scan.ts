@@ -6,7 +6,7 @@ import type { Scan } from '../core/types.ts';
 import { CELLS_TOLD_APART } from './cell-hash.ts';
 import type { OpenCloud, PointChunk } from './cloud-reader.ts';
 import { openCloud } from './formats.ts';
-import { makeScan, middleOf, positionsOf } from './make-scan.ts';
+import { makeScan } from './make-scan.ts';
 import { Preview } from './preview.ts';
 import type { ByteSource } from './source.ts';
 import { diagonalOf, powerOfTwoBelow, Thinning } from './thinning.ts';
@@ -28,8 +28,6 @@ export interface ReadControl {
   readonly signal?: AbortSignal | undefined;
 }
 
-/** Points enough to judge a unit. */
-const JUDGED_POINTS = 1 << 18;
 /** Clouds of fewer points are checked for lying on a line here, others when they are oriented. */
 const CHECKED_POINTS = 1 << 16;
 
@@ -123,11 +121,11 @@ function isWrongStart({ cell, firstCell, isOverBudget, bounds }: Thinning, targe
   return firstCell > 0 && firstCell < target && diagonalOf(bounds) / firstCell >= CELLS_TOLD_APART;
 }
 
-function targetCell(run: ReadRun, thinning: Thinning): number {
+function targetCell(run: ReadRun, { sample }: Thinning): number {
   const { resolution, unit, pixelsPerMetre } = run.options;
-  const positions = positionsOf(thinning, thinning.sample(JUDGED_POINTS), middleOf(thinning));
-  const sample = { positions, isSlice: false, ...(run.cloud.unit && { unit: run.cloud.unit }) };
-  const { metresPerUnit } = judgeUnit(sample, { unit, pixelsPerMetre, up: 'auto' });
+  const positions = sample.positions(sample.middle());
+  const judged = { positions, isSlice: false, ...(run.cloud.unit && { unit: run.cloud.unit }) };
+  const { metresPerUnit } = judgeUnit(judged, { unit, pixelsPerMetre, up: 'auto' });
   return powerOfTwoBelow(resolution / metresPerUnit);
 }
 

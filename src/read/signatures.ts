@@ -53,7 +53,11 @@ export function isText(head: Uint8Array): boolean {
   return head.every((byte) => byte >= 32 || (byte >= 9 && byte <= 13));
 }
 
-/** One character a byte. */
+/** More arguments than this overflow the stack somewhere. */
+const MOST_ARGUMENTS = 4096;
+
+/** One character a byte; for short texts several times faster than a TextDecoder. */
 export function latin1(bytes: Uint8Array): string {
-  return String.fromCharCode(...bytes);
+  if (bytes.length > MOST_ARGUMENTS) return new TextDecoder('latin1').decode(bytes);
+  return String.fromCharCode.apply(null, bytes as unknown as number[]);
 }

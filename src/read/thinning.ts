@@ -1,8 +1,9 @@
 import { FloorPlanError } from '../core/errors.ts';
-import { CELLS_TOLD_APART, pointKey } from './cell-hash.ts';
+import { CELLS_TOLD_APART } from './cell-hash.ts';
 import type { PointChunk } from './cloud-reader.ts';
 import { HashedRun, RUN_POINTS, SLOT_SHIFT } from './hashed-run.ts';
 import { KeptAttributes } from './kept-attributes.ts';
+import { PointSample } from './point-sample.ts';
 
 /** Farther from 0 than this is no place in a building but a mark for "no return": a UTM northing in mm is 10¹⁰. */
 const FARTHEST = 1e12;
@@ -50,6 +51,8 @@ export class Thinning {
   xyz = new Float64Array(0);
   /** Box around every point with a finite place, kept or not. */
   readonly bounds: Box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
+  /** Of every point with a finite place, whatever the cells. */
+  readonly sample = new PointSample();
   readonly #budget: number;
   #words = new Int32Array(0);
   #attributes: KeptAttributes | null = null;
@@ -98,18 +101,6 @@ export class Thinning {
     this.#table = new Int32Array(0);
   }
 
-  /** About `most` of the points kept (all, where there are fewer), picked by hash, so in no order and at no bias. */
-  sample(most: number): Uint32Array {
-    const share = Math.min(1, most / Math.max(1, this.count));
-    const limit = share * 2 ** 32 - 2 ** 31;
-    const picked: number[] = [];
-    for (let i = 0; i < this.count; i++) {
-      // Not the priority: the points kept have small ones.
-      if (share === 1 || pointKey(this.#words, 6 * i) < limit) picked.push(i);
-    }
-    return Uint32Array.from(picked);
-  }
-
   #addRun(chunk: PointChunk, begin: number, end: number): void {
     const table = this.#table;
     const mask = table.length - 1;
@@ -120,6 +111,7 @@ export class Thinning {
         this.dropped++;
         continue;
       }
+      if (priorities[k] <= this.sample.limit) this.sample.add(chunk.xyz, i, priorities[k]);
       const slot = findSlot(table, mask, places[k], keys[k], mates[k]);
       const kept = table[slot + 3] - 1;
       const lead = priorities[k] - table[slot + 2];

@@ -81,7 +81,7 @@ export class SheetView {
     if (this.#drawing) return;
     const { xy, planToSheet } = flatten(positions, this.#host);
     this.#points.set(xy, 0);
-    this.#points.draw(planToSheet, { zoom: 1, x: 0, y: 0 });
+    void this.#points.draw(planToSheet, { zoom: 1, x: 0, y: 0 });
   }
 
   setUnit(unit: DisplayUnit): void {
@@ -126,21 +126,22 @@ export class SheetView {
 
   #schedule(): void {
     cancelAnimationFrame(this.#pending);
-    this.#pending = requestAnimationFrame(() => this.#draw());
+    this.#pending = requestAnimationFrame(() => void this.#draw());
   }
 
-  #draw(): void {
+  async #draw(): Promise<void> {
     const drawing = this.#drawing;
     if (!drawing) return;
     const placement = this.#panZoom.placement;
     const { zoom, x, y } = placement;
     const [a, b] = drawing.planToSheet;
+    // Points take a moment; the drawing waits for them, so that both move as one.
+    if (!this.#points.node.hidden) await this.#points.draw(drawing.planToSheet, placement);
     drawing.svg.style.transform = `matrix(${zoom}, 0, 0, ${zoom}, ${x}, ${y})`;
     this.#page.style.transform = `translate(${x}px, ${y}px)`;
     this.#page.style.width = `${zoom * drawing.width}px`;
     this.#page.style.height = `${zoom * drawing.height}px`;
     this.#scaleBar.show(zoom * Math.hypot(a, b), this.#unit);
-    if (!this.#points.node.hidden) this.#points.draw(drawing.planToSheet, placement);
   }
 
   readonly #point = (event: PointerEvent): void => {

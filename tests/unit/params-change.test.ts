@@ -9,8 +9,8 @@ import { blobSource } from '../../src/read/blob-source.ts';
 import { Session } from '../../src/session/session.ts';
 
 interface Change {
-  /** `scan`: a furnished home; `slice`: a room with a structure in it, two columns. */
-  readonly on: 'scan' | 'slice';
+  /** `scan`: a furnished home; `slice`: a room with a structure, two columns; `tower`: a small storey on a wide one. */
+  readonly on: 'scan' | 'slice' | 'tower';
   readonly from?: Partial<Options>;
   readonly to: Partial<Options>;
 }
@@ -27,8 +27,9 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   outlierNeighbours: { on: 'scan', from: { outlierDeviations: 1 }, to: { outlierNeighbours: 40 } },
   outlierDeviations: { on: 'scan', to: { outlierDeviations: 0 } },
   level: { on: 'scan', to: { level: '0:1' } },
-  levelRule: { on: 'scan', to: { levelRule: 'count' } },
+  levelRule: { on: 'tower', from: { up: 'z', unit: 'm' }, to: { levelRule: 'count' } },
   keepFloorAndCeiling: { on: 'scan', to: { keepFloorAndCeiling: true } },
+  wallReach: { on: 'scan', to: { wallReach: 0 } },
   samplesPer50M2: { on: 'scan', to: { samplesPer50M2: 1000 } },
   boundary: { on: 'scan', to: { boundary: 'convex' } },
   openingLength: { on: 'scan', to: { openingLength: 5 } },
@@ -47,7 +48,11 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   secondaryCount: { on: 'slice', to: { secondaryCount: 1 } },
   secondaryMethod: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryMethod: 'robust' } },
   secondaryOperation: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryOperation: ['add'] } },
-  secondarySample: { on: 'slice', from: { secondaryCount: 1 }, to: { secondarySample: 0.05 } },
+  secondarySample: {
+    on: 'slice',
+    from: { secondaryCount: 1, secondaryEpsilon: 0, strokeWidth: 0.001 },
+    to: { secondarySample: 0.05 },
+  },
   strokeWidth: { on: 'slice', from: { secondaryCount: 1 }, to: { strokeWidth: 0.3 } },
   secondaryEpsilon: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryEpsilon: 0.4 } },
   secondaryRounds: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryRounds: 2 } },
@@ -69,8 +74,25 @@ beforeAll(async () => {
   const { xy } = structureSlice();
   const rows = Array.from({ length: xy.length / 2 }, (_, i) => `${xy[2 * i]},${xy[2 * i + 1]}`);
   session.scan = await open(new Blob([writePly({ positions: home.positions })]), 'home.ply');
+  const tower = [...squareWalls(5, 12_000, 0, 2), ...squareWalls(1, 4000, 2.5, 4)];
+  session.tower = await open(new Blob([`x,y,z\n${tower.join('\n')}\n`]), 'tower.csv');
   session.slice = await open(new Blob([`x,y\n${rows.join('\n')}\n`]), 'room.csv');
 });
+
+/** Walls of a square: `count` points between two heights. */
+function* squareWalls(half: number, count: number, low: number, high: number): Generator<string> {
+  for (let i = 0; i < count; i++) {
+    const along = (((i * 7919) % count) / count - 0.5) * 2 * half;
+    const z = low + ((high - low) * i) / count;
+    const [x, y] = [
+      [along, -half],
+      [half, along],
+      [-along, half],
+      [-half, -along],
+    ][i % 4];
+    yield `${x},${y},${z}`;
+  }
+}
 
 async function open(blob: Blob, name: string): Promise<Session> {
   const opened = new Session({ strokeTest: createStrokeTest() });

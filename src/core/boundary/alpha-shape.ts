@@ -1,5 +1,5 @@
 import Delaunator from 'delaunator';
-import { orientRing, polygonArea, signedArea } from '../geometry/rings.ts';
+import { orientRing, signedArea } from '../geometry/rings.ts';
 import type { Polygon, Ring } from '../types.ts';
 
 /**
@@ -7,7 +7,7 @@ import type { Polygon, Ring } from '../types.ts';
  *
  * @param points distinct points, x, y each, m
  * @param alpha m
- * @returns one polygon for each set of triangles joined by edges, largest first; empty when no triangle is small
+ * @returns one polygon for each set of triangles joined by edges, largest outer ring first; empty when no triangle is small
  *   enough. Rings touch at most in vertices. O(n log n).
  */
 export function alphaShape(points: Float64Array, alpha: number): Polygon[] {
@@ -21,7 +21,7 @@ export function alphaShape(points: Float64Array, alpha: number): Polygon[] {
     else rings.push(ring);
   }
   const polygons = [...ringsOfPart.values()].map(toPolygon);
-  return polygons.sort((a, b) => polygonArea(b) - polygonArea(a) || a.outer[0] - b.outer[0]);
+  return polygons.sort((a, b) => signedArea(b.outer) - signedArea(a.outer) || a.outer[0] - b.outer[0]);
 }
 
 /** 1 for each triangle of circumradius ≤ α. */

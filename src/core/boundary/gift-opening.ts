@@ -25,13 +25,15 @@ import { openOnTrial } from './trial.ts';
 export function openGift(sorted: Float64Array, rules: OpeningRules): Opening {
   const hull = startFromConvexHull(sorted, rules.spacing);
   const n = hull.grid.x.length;
+  const hullArea = ringArea(hull);
   const opening: Opening = {
     hull,
     anchorFrom: new Int32Array(n),
     anchorTo: new Int32Array(n),
     bridges: [],
     log: [],
-    area: ringArea(hull),
+    hullArea,
+    area: hullArea,
   };
   const heap = new EdgeHeap(hull.grid);
   const first = firstPoint(hull);

@@ -29,6 +29,8 @@ export interface Opening {
   readonly bridges: number[];
   /** Every insertion, to take it back: the point and the anchor of the edge it split. */
   readonly log: number[];
+  /** Area of the convex hull, m². */
+  readonly hullArea: number;
   /** Area the ring encloses, m². */
   area: number;
 }

@@ -28,10 +28,12 @@ interface FittedPlane {
 }
 
 /**
- * The true up of a tilted cloud from its floor (without one: its ceiling), or null where it stands level already.
+ * The true up of a tilted cloud from its floor (without one: its ceiling), or null where it stands level
+ * already.
  *
- * Least squares through patch centroids, those far off cut in rounds. The tilt must exceed the error of the fit and must
- * make the walls more upright, so that a ramp or a sloped ceiling does not tilt a level scan. O(patches).
+ * Least squares through patch centroids, those far off cut in rounds. The tilt must exceed the error of the
+ * fit and must make the walls more upright, so that a ramp or a sloped ceiling does not tilt a level scan.
+ * O(patches).
  *
  * @param upright rotation to plan axes without levelling
  * @param normal estimate of up, source axes

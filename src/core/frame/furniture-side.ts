@@ -21,11 +21,12 @@ export interface RoomGap {
 }
 
 /**
- * Where the furniture stands: 1 on the lower plane of the rooms, −1 on the upper one, 0 where that is not clear.
+ * Where the furniture stands: 1 on the lower plane of the rooms, −1 on the upper one, 0 where that is not
+ * clear.
  *
- * A column that is filled in one half of the room only, at about one height, is a table top, seat or bed – or a lamp.
- * Walls fill both halves, lintels span too much; counting voxels of any kind instead was wrong for rooms with many doors.
- * O(n), at most a million points are looked at.
+ * A column that is filled in one half of the room only, at about one height, is a table top, seat or bed – or
+ * a lamp. Walls fill both halves, lintels span too much; counting voxels of any kind instead was wrong for
+ * rooms with many doors. O(n), at most a million points are looked at.
  *
  * @param upright source axes → plan axes
  * @param up estimate of up, source axes

@@ -6,10 +6,13 @@ import type { SurfacePatches } from './surface-patches.ts';
 
 const AXES = ['z', 'y', 'x'] as const;
 /**
- * How far each axis is trusted before looking. The walls of a corridor narrower than high are a larger opposed pair than its
- * floor and ceiling; scanners write z up, cameras and game engines y up, hardly anything x up.
+ * How far each axis is trusted before looking. The walls of a corridor narrower than high are a larger
+ * opposed pair than its floor and ceiling; scanners write z up, cameras and game engines y up, hardly
+ * anything x up.
  */
 const TRUST = { z: 1, y: 0.75, x: 0.5 } as const;
+/** An axis along which furniture clearly stands on one side is this many times as likely. */
+const FURNISHED = 2;
 /** A runner-up this close makes the choice doubtful. */
 const DOUBTFUL = 0.9;
 /** Cones around an axis in which normals are averaged, each around the last mean: tilts to 20° are found. */
@@ -20,7 +23,9 @@ const ROOM_GAP_SHARE = 0.6;
 /** Which way is up, and why. */
 export interface Gravity {
   readonly up: Axis;
-  /** Mean normal of the horizontal patches, source axes, pointing up; the axis itself where there are none. */
+  /**
+   * Mean normal of the horizontal patches, source axes, pointing up; the axis itself where there are none.
+   */
   readonly normal: Vec3;
   readonly planes: HeightPlanes;
   readonly reason: string;
@@ -28,10 +33,12 @@ export interface Gravity {
 }
 
 /**
- * Finds the gravity axis: the one whose two largest opposed planes cover most area, seen by patches of equal size.
+ * Finds the gravity axis: the one whose two largest opposed planes cover most area, seen by patches of equal
+ * size.
  *
- * The paper turns clouds by hand ([Stojanovic19] §3); ours. Floor and ceiling differ by the furniture: more stands on the
- * floor than hangs from the ceiling; where that is not clear the axis points along itself, not against.
+ * The paper turns clouds by hand ([Stojanovic19] §3); ours. Floor and ceiling differ by the furniture: more
+ * stands on the floor than hangs from the ceiling; where that is not clear the axis points along itself, not
+ * against.
  *
  * @param positions the points the patches were fitted to
  * @param given the axis a person named; nothing is judged then
@@ -41,22 +48,12 @@ export function findGravity(positions: Float32Array, patches: SurfacePatches, gi
     const { normal, planes } = lookAlong(patches, axisVector(given));
     return { up: given, normal, planes, reason: `${given} is up because it was given.`, isDoubtful: false };
   }
-  const seen = AXES.map((axis) => {
-    const along = lookAlong(patches, axisVector(axis));
-    return { axis, ...along, score: TRUST[axis] * along.area };
-  }).sort((a, b) => b.score - a.score);
-  const [best, second] = seen;
+  const [best, second] = rankAxes(positions, patches);
   if (best.score === 0) {
-    return {
-      up: 'z',
-      normal: axisVector('z'),
-      planes: best.planes,
-      reason: 'No floor or ceiling was found; z is up by convention.',
-      isDoubtful: true,
-    };
+    const reason = 'No floor or ceiling was found; z is up by convention.';
+    return { up: 'z', normal: axisVector('z'), planes: best.planes, reason, isDoubtful: true };
   }
-  const rotation = { upright: uprightRotation(best.axis), up: best.normal };
-  const isUpsideDown = furnitureSide(positions, patches, rotation, roomGaps(best.planes)) < 0;
+  const isUpsideDown = best.furniture < 0;
   const up: Axis = isUpsideDown ? `-${best.axis}` : best.axis;
   const { normal, planes } = isUpsideDown ? lookAlong(patches, axisVector(up)) : best;
   const side = isUpsideDown ? '; the furniture side shows that it points down in the file' : '';
@@ -67,6 +64,23 @@ export function findGravity(positions: Float32Array, patches: SurfacePatches, gi
     reason: `${up} is up: the largest opposed planes lie across ${best.axis}${side}.`,
     isDoubtful: second.score > DOUBTFUL * best.score,
   };
+}
+
+/** The axes, likeliest first; furniture is looked for along those that come near. */
+function rankAxes(positions: Float32Array, patches: SurfacePatches) {
+  const seen = AXES.map((axis) => {
+    const along = lookAlong(patches, axisVector(axis));
+    return { axis, ...along, score: TRUST[axis] * along.area };
+  });
+  const most = Math.max(...seen.map(({ score }) => score));
+  return seen
+    .map((along) => {
+      if (along.score * FURNISHED < most || most === 0) return { ...along, furniture: 0 };
+      const rotation = { upright: uprightRotation(along.axis), up: along.normal };
+      const furniture = furnitureSide(positions, patches, rotation, roomGaps(along.planes));
+      return { ...along, furniture, score: furniture === 0 ? along.score : FURNISHED * along.score };
+    })
+    .sort((a, b) => b.score - a.score);
 }
 
 function lookAlong(patches: SurfacePatches, axis: Vec3) {

@@ -1,3 +1,4 @@
+import { CellTable } from '../cell-table.ts';
 import type { Vec3 } from '../types.ts';
 import { medianOf } from './robust-scale.ts';
 import type { SurfacePatches } from './surface-patches.ts';
@@ -8,7 +9,10 @@ const BINS_A_PATCH = 6;
 const STRONG_SHARE = 0.25;
 /** A floor has no more than this share of the cloud's voxels below it, a ceiling above it. */
 const BEYOND_SHARE = 0.1;
-/** Floor and ceiling are at least this share of the cloud's height apart; closer ones are steps of one of them. */
+/**
+ * Floor and ceiling are at least this share of the cloud's height apart; closer ones are steps of one of
+ * them.
+ */
 const GAP_SHARE = 0.5;
 const TRIM = 0.02;
 /** Patches within this many edges of a plane belong to it when its two sides are compared. */
@@ -18,7 +22,7 @@ const PLANE_REACH = 1.5;
 export interface HeightPlane {
   /** Along the up vector from the positions' origin, source units. */
   readonly height: number;
-  /** Area of the patches in it, square source units. */
+  /** Area that its patches cover, square source units. */
   readonly area: number;
 }
 
@@ -34,16 +38,19 @@ export interface HeightPlanes {
 /**
  * Planes perpendicular to `up`: peaks of the area-weighted histogram of heights.
  *
- * Only patches whose normal is within the cone count, so walls do not blur the histogram. Floor and ceiling are the lowest
- * and the highest strong plane, unless much of the cloud lies beyond: a table is no floor, a mezzanine no ceiling.
+ * Only patches whose normal is within the cone count, so walls do not blur the histogram. Floor and ceiling
+ * are the lowest and the highest strong plane, unless much of the cloud lies beyond: a table is no floor, a
+ * mezzanine no ceiling.
  *
  * @param up unit vector, source axes
  * @param minCosine cosine of the cone's half angle
  */
 export function findHeightPlanes(patches: SurfacePatches, up: Vec3, minCosine: number): HeightPlanes {
   const heights = heightsAlong(patches, up);
-  const isMember = (i: number) => Math.abs(alignment(patches, i, up)) >= minCosine;
-  const planes = peaksOf(heights, isMember, patches.size);
+  const members = Uint32Array.from(heights.keys())
+    .filter((i) => Math.abs(alignment(patches, i, up)) >= minCosine)
+    .sort((a, b) => heights[a] - heights[b]);
+  const planes = peaksOf(patches, up, heights, members);
   const least = STRONG_SHARE * (planes[0]?.area ?? 0);
   const strong = planes.filter(({ area }) => area >= least).sort((a, b) => a.height - b.height);
   const floor = strong[0] ?? null;
@@ -79,19 +86,36 @@ export function alignment({ normals }: SurfacePatches, patch: number, [x, y, z]:
   return normals[3 * patch] * x + normals[3 * patch + 1] * y + normals[3 * patch + 2] * z;
 }
 
-/** Takes the three neighbouring bins that hold most, again and again, down to single patches. */
-function peaksOf(heights: Float64Array, isMember: (i: number) => boolean, size: number): HeightPlane[] {
-  const members = heights.filter((_, i) => isMember(i)).sort();
+/** Planes by size, from the three neighbouring bins that hold most patches, again and again. */
+function peaksOf(
+  patches: SurfacePatches,
+  up: Vec3,
+  heights: Float64Array,
+  members: Uint32Array,
+): HeightPlane[] {
   if (members.length === 0) return [];
-  const bin = size / BINS_A_PATCH;
-  const low = members[0];
-  const starts = new Uint32Array(Math.floor((members[members.length - 1] - low) / bin) + 2);
-  for (const height of members) starts[Math.floor((height - low) / bin) + 1]++;
+  const bin = patches.size / BINS_A_PATCH;
+  const low = heights[members[0]];
+  const starts = new Uint32Array(Math.floor((heights[members[members.length - 1]] - low) / bin) + 2);
+  for (const i of members) starts[Math.floor((heights[i] - low) / bin) + 1]++;
   for (let b = 1; b < starts.length; b++) starts[b] += starts[b - 1];
-  return greedyPeaks(members, starts).map(({ begin, end }) => ({
-    height: medianOf(members.slice(begin, end)),
-    area: (end - begin) * size ** 2,
-  }));
+  const planes = greedyPeaks(members.length, starts).map(({ begin, end }) => {
+    const own = members.subarray(begin, end);
+    const height = medianOf(Float64Array.from(own, (i) => heights[i]));
+    return { height, area: columnsOf(patches, up, own) * patches.size ** 2 };
+  });
+  return planes.sort((a, b) => b.area - a.area || a.height - b.height);
+}
+
+/** Columns of voxels along `up` that patches fill: a plane cut by a voxel face is one plane, not two. */
+function columnsOf({ centroids, size }: SurfacePatches, up: Vec3, own: Uint32Array): number {
+  // The two source axes nearest to the plane part it into columns as well as any.
+  const steepest = [0, 1, 2].reduce((a, b) => (Math.abs(up[b]) > Math.abs(up[a]) ? b : a));
+  const [u, v] = [(steepest + 1) % 3, (steepest + 2) % 3];
+  const columns = new CellTable(own.length);
+  for (const i of own)
+    columns.add(Math.floor(centroids[3 * i + u] / size), Math.floor(centroids[3 * i + v] / size), 0);
+  return columns.count;
 }
 
 interface Run {
@@ -99,7 +123,7 @@ interface Run {
   readonly end: number;
 }
 
-function greedyPeaks(members: Float64Array, starts: Uint32Array): Run[] {
+function greedyPeaks(members: number, starts: Uint32Array): Run[] {
   const bins = starts.length - 1;
   const windows: Run[] = [];
   for (let b = 0; b < bins; b++) {
@@ -107,7 +131,7 @@ function greedyPeaks(members: Float64Array, starts: Uint32Array): Run[] {
     if (run.end > run.begin) windows.push(run);
   }
   windows.sort((a, b) => b.end - b.begin - (a.end - a.begin) || a.begin - b.begin);
-  const isTaken = new Uint8Array(members.length);
+  const isTaken = new Uint8Array(members);
   const peaks: Run[] = [];
   for (const { begin, end } of windows) {
     if (isTaken.subarray(begin, end).some((taken) => taken === 1)) continue;

@@ -45,8 +45,8 @@ export function statedUnit(scan: UnitScan, options: UnitOptions): JudgedUnit | n
 /**
  * The unit of a scan just read: given, stated, or judged from storey height and extent.
  *
- * Ours. A candidate is plausible when two of the cloud's strong horizontal planes are a storey apart; among those the one
- * with the largest planes wins. O(n), at most a million points are looked at.
+ * Ours. A candidate is plausible when two of the cloud's strong horizontal planes are a storey apart; among
+ * those the one with the largest planes wins. O(n), at most a million points are looked at.
  *
  * @param scan source axes and units; positions not all equal
  */

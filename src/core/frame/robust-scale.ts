@@ -20,7 +20,9 @@ export function boundsOf(positions: Float32Array): Bounds {
   return { min, max };
 }
 
-/** Bounds of the inner 96 % along each axis, from an evenly strided sample: stray points do not stretch them. */
+/**
+ * Bounds of the inner 96 % along each axis, from an evenly strided sample: stray points do not stretch them.
+ */
 export function trimmedBounds(positions: Float32Array): Bounds {
   const points = positions.length / 3;
   const stride = Math.max(1, Math.floor(points / SAMPLES));

@@ -4,8 +4,8 @@ import type { Axis, Vec3 } from '../types.ts';
 export type Rotation = readonly number[];
 
 /**
- * Source axes → plan axes (right, ahead, up) for each up axis: two source axes a, b with a × b = up, so every one has
- * determinant +1 and no plan is mirrored. z up gives (x, y), y up gives (x, −z).
+ * Source axes → plan axes (right, ahead, up) for each up axis: two source axes a, b with a × b = up, so every
+ * one has determinant +1 and no plan is mirrored. z up gives (x, y), y up gives (x, −z).
  */
 const UPRIGHT: Readonly<Record<Axis, Rotation>> = {
   z: [1, 0, 0, 0, 1, 0, 0, 0, 1],

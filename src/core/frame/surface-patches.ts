@@ -2,7 +2,9 @@ import { CellTable } from '../cell-table.ts';
 import { largestExtent, medianOf, trimmedBounds } from './robust-scale.ts';
 import { type SmallestEigen, smallestEigen } from './symmetric-eigen.ts';
 
-/** More points than this are sampled by stride: the scan is sorted by lattice cell, so a stride thins evenly. */
+/**
+ * More points than this are sampled by stride: the scan is sorted by lattice cell, so a stride thins evenly.
+ */
 const POINTS_LOOKED_AT = 1_000_000;
 /** Enough for a covariance to show a plane under noise. */
 const POINTS_A_PATCH = 32;
@@ -36,9 +38,9 @@ export interface SurfacePatches {
 /**
  * Fits a plane to the points of every voxel.
  *
- * Patches count by area, so a densely scanned wall weighs no more than a sparse one, and keep their normals, so floors
- * are told from walls even when the whole scan is tilted. Stray points fall into voxels of few points and drop out.
- * O(n), at most a million points are looked at.
+ * Patches count by area, so a densely scanned wall weighs no more than a sparse one, and keep their normals,
+ * so floors are told from walls even when the whole scan is tilted. Stray points fall into voxels of few
+ * points and drop out. O(n), at most a million points are looked at.
  *
  * @param positions x, y, z a point, source units; not all equal
  */

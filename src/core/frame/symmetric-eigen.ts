@@ -9,8 +9,8 @@ export interface SmallestEigen {
 /**
  * Eigenvalues of a symmetric 3 × 3 matrix in closed form and the eigenvector of the smallest.
  *
- * Trigonometric solution of the characteristic cubic ([Smith61]); the vector is the longest cross product of two rows of
- * A − λ₀I. Good to about 1e-8 of the largest eigenvalue, plenty for scan noise.
+ * Trigonometric solution of the characteristic cubic ([Smith61]); the vector is the longest cross product of
+ * two rows of A − λ₀I. Good to about 1e-8 of the largest eigenvalue, plenty for scan noise.
  *
  * @param m xx, xy, xz, yy, yz, zz
  * @param out result, overwritten, so that nothing is allocated a call

@@ -40,9 +40,24 @@ export function reverseRing(ring: Ring): Ring {
   return reversed;
 }
 
-/** The ring itself when it already turns as asked, else reversed. */
+/** Whether a simple ring turns counter-clockwise, exactly: its turn at the leftmost (lowest of equals) vertex. */
+export function isCounterClockwise(ring: Ring): boolean {
+  const n = ring.length;
+  let least = 0;
+  for (let i = 2; i < n; i += 2) {
+    if (ring[i] < ring[least] || (ring[i] === ring[least] && ring[i + 1] < ring[least + 1])) least = i;
+  }
+  const before = (least + n - 2) % n;
+  const after = (least + 2) % n;
+  return (
+    orientation(ring[before], ring[before + 1], ring[least], ring[least + 1], ring[after], ring[after + 1]) >
+    0
+  );
+}
+
+/** The simple ring itself when it already turns as asked, else reversed. */
 export function orientRing(ring: Ring, turn: 'counter-clockwise' | 'clockwise'): Ring {
-  return signedArea(ring) >= 0 === (turn === 'counter-clockwise') ? ring : reverseRing(ring);
+  return isCounterClockwise(ring) === (turn === 'counter-clockwise') ? ring : reverseRing(ring);
 }
 
 /** Axis-aligned box of x, y pairs; empty input gives an inverted, infinite box. */

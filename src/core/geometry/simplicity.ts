@@ -4,40 +4,47 @@ import { boundsOf } from './rings.ts';
 import { SegmentGrid } from './segment-grid.ts';
 import { segmentsTouch } from './segments.ts';
 
+/** An edge by its ring and its first vertex. */
+export interface RingEdge {
+  readonly ring: number;
+  readonly edge: number;
+}
+
 /**
  * Whether a ring is simple, exactly: three vertices or more, no two edges sharing a point but neighbours their
  * common vertex, and no neighbours folded onto each other. Near-linear by a grid over the edges.
  */
 export function isSimpleRing(ring: Ring): boolean {
-  return crossingRings([ring]).size === 0;
+  return conflictingEdges([ring]).length === 0;
 }
 
 /**
- * Numbers of the rings that are not simple, or that touch another ring otherwise than vertex on vertex without
- * passing through it. Exact; near-linear by a grid over the edges.
+ * The edges that keep rings from being simple, and from touching each other at most vertex on vertex without passing
+ * through; all edges of a ring of fewer than three vertices. Exact; near-linear by a grid over the edges.
  */
-export function crossingRings(rings: readonly Ring[]): Set<number> {
-  const bad = new Set<number>();
+export function conflictingEdges(rings: readonly Ring[]): RingEdge[] {
   const edges = edgesOf(rings);
-  const { x, y, next, ringOf } = edges;
+  const { x, y, next, ringOf, firstOf } = edges;
   const n = x.length;
-  rings.forEach((ring, r) => {
-    if (ring.length < 6) bad.add(r);
-  });
-  if (n === 0) return bad;
+  const isBad = new Uint8Array(n);
+  if (n === 0) return [];
   const grid = new SegmentGrid(x, y, edges.bounds, edges.cell);
   for (let e = 0; e < n; e++) {
+    const isEmpty = x[e] === x[next[e]] && y[e] === y[next[e]];
+    if (isEmpty || rings[ringOf[e]].length < 6) isBad[e] = 1;
     const count = grid.along(e, next[e]);
     for (let k = 0; k < count; k++) {
       const f = grid.u[grid.found[k]];
-      if (bad.has(ringOf[e]) && bad.has(ringOf[f])) continue;
-      if (!isConflict(edges, e, f)) continue;
-      bad.add(ringOf[e]);
-      bad.add(ringOf[f]);
+      if ((isBad[e] === 1 && isBad[f] === 1) || !isConflict(edges, e, f)) continue;
+      isBad[e] = 1;
+      isBad[f] = 1;
     }
     grid.add(e, next[e]);
   }
-  return bad;
+  const conflicts: RingEdge[] = [];
+  for (let e = 0; e < n; e++)
+    if (isBad[e] === 1) conflicts.push({ ring: ringOf[e], edge: e - firstOf[ringOf[e]] });
+  return conflicts;
 }
 
 interface Edges {
@@ -46,6 +53,8 @@ interface Edges {
   readonly next: Int32Array;
   readonly previous: Int32Array;
   readonly ringOf: Int32Array;
+  /** First edge of each ring. */
+  readonly firstOf: Int32Array;
   readonly bounds: ReturnType<typeof boundsOf>;
   readonly cell: number;
 }
@@ -57,11 +66,13 @@ function edgesOf(rings: readonly Ring[]): Edges {
   const next = new Int32Array(n);
   const previous = new Int32Array(n);
   const ringOf = new Int32Array(n);
+  const firstOf = new Int32Array(rings.length);
   const xy = new Float64Array(2 * n);
   let at = 0;
   rings.forEach((ring, r) => {
     const size = ring.length >> 1;
     xy.set(ring, 2 * at);
+    firstOf[r] = at;
     for (let k = 0; k < size; k++) {
       x[at + k] = ring[2 * k];
       y[at + k] = ring[2 * k + 1];
@@ -76,7 +87,7 @@ function edgesOf(rings: readonly Ring[]): Edges {
   const area = (bounds.maxX - bounds.minX) * (bounds.maxY - bounds.minY);
   const longest = Math.max(bounds.maxX - bounds.minX, bounds.maxY - bounds.minY);
   const cell = Math.max(Math.sqrt(area / n), longest / n) || 1;
-  return { x, y, next, previous, ringOf, bounds, cell };
+  return { x, y, next, previous, ringOf, firstOf, bounds, cell };
 }
 
 /** Whether edges e and f (from e to next[e], f to next[f]) meet in a way simple rings do not. */

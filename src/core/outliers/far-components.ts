@@ -12,7 +12,8 @@ interface Component {
 }
 
 /**
- * Flags the points of small components outside the bounding box of the largest: what was seen through a window.
+ * Flags the points of small components outside the bounding box of the largest: what was seen through a
+ * window.
  *
  * Components are cells joined at faces, edges and corners. O(n).
  *

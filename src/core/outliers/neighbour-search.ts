@@ -4,7 +4,8 @@ import type { CellIndex } from './cell-index.ts';
 const REACH = 2;
 
 /**
- * Mean distance from a point to its nearest others; neighbours more than {@link REACH} cell edges away count as that far.
+ * Mean distance from a point to its nearest others; neighbours more than {@link REACH} cell edges away count
+ * as that far.
  *
  * A stray in empty space would otherwise search all of it. O(points in reach).
  *
@@ -65,9 +66,9 @@ const AROUND: readonly (readonly [number, number, number])[] = cubeOffsets().sor
 /**
  * Flags the points whose mean distance to `neighbours` others exceeds the index's cell edge.
  *
- * A point with that many others within one edge passes as soon as they are found; one whose neighbours in the cells around
- * cannot bring the mean down fails at once; only the few between are searched further. O(n) for even density. Searching
- * every point exactly took 8 times as long.
+ * A point with that many others within one edge passes as soon as they are found; one whose neighbours in the
+ * cells around cannot bring the mean down fails at once; only the few between are searched further. O(n) for
+ * even density. Searching every point exactly took 8 times as long.
  *
  * @returns one entry a point of the cloud: 1 lonely, 0 not
  */

@@ -12,8 +12,9 @@ const CIRCLE_VERTICES = 72;
 /**
  * The whole of a column whose far side no scanner saw: the circle or rectangle its points lie on.
  *
- * Ours. A half circle gives its circle, two faces give their rectangle. Circle by algebraic least squares ([Kåsa76]),
- * rectangle by the box around the convex hull, with a side on one of the hull's, that runs nearest to the points.
+ * Ours. A half circle gives its circle, two faces give their rectangle. Circle by algebraic least squares
+ * ([Kåsa76]), rectangle by the box around the convex hull, with a side on one of the hull's, that runs
+ * nearest to the points.
  *
  * @param xy x, y a point, m; not all on one line
  * @returns simple, counter-clockwise; null when neither explains the points

@@ -15,7 +15,10 @@ import {
 
 /** Cells are this many mean spacings wide: points one to two cells apart hang together. */
 const CELL_SPACINGS = 4;
-/** Points within this many cells of the primary boundary are wall, and so is whatever hangs together with them. */
+/**
+ * Points within this many cells of the primary boundary are wall, and so is whatever hangs together with
+ * them.
+ */
 const WALL_CELLS = 2;
 /** Clear of the walls, faces of one structure may stand this many times further apart. */
 const STRUCTURE_CELLS = 3;
@@ -24,14 +27,17 @@ const FEWEST_IN_CLUMP = 4;
 const FEWEST_POINTS = 8;
 /** Thinner things are posts, poles and noise: area by half the perimeter, m. */
 const LEAST_WIDTH = 0.05;
-/** Area by squared perimeter, 1/16 for a square: below this a group is a free-standing piece of wall (about 1 to 10). */
+/**
+ * Area by squared perimeter, 1/16 for a square: below this a group is a free-standing piece of wall (about 1
+ * to 10).
+ */
 const WALL_COMPACTNESS = 0.02;
 
 /**
  * Secondary boundaries as the outer faces of groups of points that stand free of the walls.
  *
- * Ours: neither clusters nor filter, so `secondaryCount` only says how many are wanted, the largest first, free-standing
- * pieces of wall last. O(n) but for the outlines.
+ * Ours: neither clusters nor filter, so `secondaryCount` only says how many are wanted, the largest first,
+ * free-standing pieces of wall last. O(n) but for the outlines.
  *
  * @returns clusters: 0 for walls and what was not taken, 1 … for the structures in order
  */

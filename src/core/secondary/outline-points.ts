@@ -13,12 +13,15 @@ import { completeShell } from './complete-shell.ts';
 /** Share of the squared extent below which points lie on a line. */
 const ROUNDING = 1e-9;
 
-/** A concave outline with less than this share of the convex hull's area fell in through a side no scanner saw. */
+/**
+ * A concave outline with less than this share of the convex hull's area fell in through a side no scanner
+ * saw.
+ */
 const LEAST_FILL = 0.5;
 
 /**
- * Outer face of a structure that stands free: its concave outline; when one side of it was not seen, the circle or rectangle
- * its points lie on, else their convex hull.
+ * Outer face of a structure that stands free: its concave outline; when one side of it was not seen, the
+ * circle or rectangle its points lie on, else their convex hull.
  *
  * @param xy x, y a point, m
  * @returns null when the points enclose no area

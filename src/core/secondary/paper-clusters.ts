@@ -15,15 +15,18 @@ import {
   typeOf,
 } from './structure.ts';
 
-/** A cluster with more than this share of its points within a stroke of the primary boundary holds walls only. */
+/**
+ * A cluster with more than this share of its points within a stroke of the primary boundary holds walls only.
+ */
 const HUGGING_SHARE = 0.9;
 
 /**
  * Secondary boundaries as the paper finds them ([Stojanovic19] §3.1, Algorithms 1 and 2).
  *
- * k-means with one cluster more than structures; the cluster with the most points is a structure's. With several asked for,
- * the next largest follow, without those that hug the primary boundary: one cluster is left for the walls. Then
- * GenerateSecondaryBounds and GenBoundary, in `secondaryRounds` rounds, each inside the boundary of the one before.
+ * k-means with one cluster more than structures; the cluster with the most points is a structure's. With
+ * several asked for, the next largest follow, without those that hug the primary boundary: one cluster is
+ * left for the walls. Then GenerateSecondaryBounds and GenBoundary, in `secondaryRounds` rounds, each inside
+ * the boundary of the one before.
  */
 export function findByClusters(
   slice: Slice,
@@ -87,8 +90,8 @@ function refine(
 }
 
 /**
- * Algorithm 1: the points inside the previous boundary and closer to the cluster's centre than the cluster's points lie
- * apart on average. The paper compares a squared distance with a plain one; here both are plain.
+ * Algorithm 1: the points inside the previous boundary and closer to the cluster's centre than the cluster's
+ * points lie apart on average. The paper compares a squared distance with a plain one; here both are plain.
  */
 function generateSecondaryBounds(
   { points, centre, random }: Cluster,

@@ -14,10 +14,11 @@ interface Stroke {
 }
 
 /**
- * Which points a stroke along a ring covers ([Stojanovic19] Algorithm 2): each edge a segment of its own, butt caps.
+ * Which points a stroke along a ring covers ([Stojanovic19] Algorithm 2): each edge a segment of its own,
+ * butt caps.
  *
- * Distances decide what lies clear of a stroke's edge; the canvas decides all within half a pixel of it, as the paper's
- * `isPointInStroke` would. O(edges · points).
+ * Distances decide what lies clear of a stroke's edge; the canvas decides all within half a pixel of it, as
+ * the paper's `isPointInStroke` would. O(edges · points).
  *
  * @param xy x, y a point, m
  * @returns one entry a point: 1 in the stroke of any edge

@@ -4,7 +4,9 @@ import type { Polygon, Ring, SecondaryBoundary } from '../types.ts';
 
 /** A structure whose bounding box has no longer side than this, m, may be a column. */
 const LONGEST_COLUMN = 1.5;
-/** A structure with at most this share of its points off its outline looks solid: only its faces were scanned. */
+/**
+ * A structure with at most this share of its points off its outline looks solid: only its faces were scanned.
+ */
 const SOLID_SHARE = 0.2;
 /** Points within this share of the shorter side of an outline lie on it. */
 const FACE_SHARE = 0.25;
@@ -24,8 +26,8 @@ export interface StructureSearch {
 }
 
 /**
- * What a structure is: a column when small and seen from outside only, a shaft when large and seen from outside only,
- * other (a cubicle, furniture) when points lie inside.
+ * What a structure is: a column when small and seen from outside only, a shaft when large and seen from
+ * outside only, other (a cubicle, furniture) when points lie inside.
  */
 export function typeOf(outline: Ring, xy: Float64Array): SecondaryBoundary['type'] {
   const { minX, minY, maxX, maxY } = boundsOf(outline);

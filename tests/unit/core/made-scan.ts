@@ -72,11 +72,16 @@ export function makeScan(points: ArrayLike<number>, extra: Partial<Scan> = {}): 
   const origin = extra.origin ?? ([0, 0, 0] as const);
   const positions = Float32Array.from(points, (value, i) => value - origin[i % 3]);
   const count = points.length / 3;
+  const side = (pick: (...values: number[]) => number) =>
+    [0, 1, 2].map((k) =>
+      Array.from(points).reduce((a, v, i) => (i % 3 === k ? pick(a, v) : a), points[k]),
+    ) as unknown as Vec3;
   return {
     facts: { name: 'made', format: 'ply', bytes: 0, pointsRead: count, pointsDropped: 0, pointsKept: count },
     positions,
     origin,
     attributes: {},
+    bounds: { min: side(Math.min), max: side(Math.max) },
     cellSize: 0,
     isSlice: false,
     warnings: [],

@@ -130,6 +130,18 @@ describe('errors', () => {
     });
   });
 
+  it.each(['\n', '\r\n', '\r'])(
+    'counts lines that end in %j however the bytes are split',
+    async (lineEnd) => {
+      const text = ['x,y,z', '1,2,3', '', '4,5,6', '7,oops,9', ''].join(lineEnd);
+      for (const size of [1, 2, 3, 7, 100]) {
+        await expect(readAll(memorySource(text, 'a.csv', [size]))).rejects.toMatchObject({
+          detail: { line: 5 },
+        });
+      }
+    },
+  );
+
   it('cuts long text', async () => {
     await expect(read(`1,2,3\n1,${'z'.repeat(500)},3\n`)).rejects.toMatchObject({
       detail: { text: 'z'.repeat(40) },
@@ -150,6 +162,11 @@ describe('errors', () => {
       detail: { line: 3 },
     });
     await expect(read('1 2 3\n4 5 6\n7')).rejects.toMatchObject({ code: 'input/truncated' });
+  });
+
+  it('reads numbers of any length', async () => {
+    const { xyz } = await read(`1,2,3\n1,${'0'.repeat(300_000)}5,0.${'3'.repeat(300_000)}\n`);
+    expect(xyz[1]).toEqual([1, 5, 1 / 3]);
   });
 
   it('gives up on a line without end', async () => {

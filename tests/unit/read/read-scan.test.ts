@@ -3,8 +3,7 @@ import { FloorPlanError } from '../../../src/core/errors.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
 import { type ReadStatus, readScan } from '../../../src/read/read-scan.ts';
 import { BAD_INPUTS } from '../../bad-inputs.ts';
-import { memorySource } from './memory-source.ts';
-import { plyBytes } from './ply-bytes.ts';
+import { bytesOf, memorySource } from './memory-source.ts';
 
 const OPTIONS = resolveOptions({});
 
@@ -25,17 +24,13 @@ function room(count: number, unit = 1, origin = [0, 0, 0]): number[][] {
 }
 
 const csv = (points: readonly (readonly number[])[]) => points.map((point) => point.join()).join('\n');
-const ply = (points: readonly (readonly number[])[]) =>
-  plyBytes(
-    [
-      {
-        name: 'vertex',
-        properties: ['x', 'y', 'z'].map((name) => ({ name, type: 'double' })),
-        records: points,
-      },
-    ],
-    { format: 'binary_little_endian' },
+function ply(points: readonly (readonly number[])[]): Uint8Array {
+  const properties = ['x', 'y', 'z'].map((name) => `property double ${name}\n`).join('');
+  const header = bytesOf(
+    `ply\nformat binary_little_endian 1.0\nelement vertex ${points.length}\n${properties}end_header\n`,
   );
+  return Buffer.concat([header, new Uint8Array(Float64Array.from(points.flat()).buffer)]);
+}
 
 describe('readScan', () => {
   it('thins to the largest power of two within the resolution', async () => {
@@ -58,7 +53,7 @@ describe('readScan', () => {
 
   it.each([
     ['mm', 1000, 8],
-    ['cm', 100, 0.5],
+    ['cm', 100, 1],
     ['ft', 1 / 0.3048, 2 ** -5],
   ] as const)('takes the resolution in %s', async (unit, perMetre, cell) => {
     const source = memorySource(ply(room(5_000, perMetre)), 'room.ply');
@@ -67,29 +62,51 @@ describe('readScan', () => {
   });
 
   it('keeps millimetres of large coordinates', async () => {
-    const origin = [691_000.123, 5_334_000.456, 512.789];
-    const points = room(3_000, 1, origin);
+    const points = room(3_000, 1, [691_000.123, 5_334_000.456, 512.789]);
     const scan = await readScan(memorySource(csv(points), 'utm.csv'), resolveOptions({ resolution: 0.001 }));
-    const original = new Set(points.map((point) => point.map((value) => value.toFixed(4)).join()));
-    for (let i = 0; i < scan.positions.length; i += 3) {
-      const point = scan.origin.map((value, axis) => (value + scan.positions[i + axis]).toFixed(4));
-      expect(original).toContain(point.join());
+    const { positions, origin } = scan;
+    expect(positions.length).toBeGreaterThan(6_000);
+    for (let i = 0; i < positions.length; i += 3) {
+      const isOriginal = points.some((point) =>
+        point.every((value, axis) => Math.abs(origin[axis] + positions[i + axis] - value) < 1e-6),
+      );
+      expect(isOriginal).toBe(true);
     }
   });
 
   it('reads once more where the first points made the cells too coarse', async () => {
-    // A storey of 3 km at first sight, taken for millimetres; then the room, in metres.
-    const decoy = Array.from({ length: 1 << 15 }, (_, i) => [i % 200, (i >> 8) * 20, 2_900 * (i & 1)]);
-    const points = [...decoy, ...room(90_000)];
+    // One wall of 300 shows no storey and is taken for centimetres; the corridor behind it is in metres.
+    const wall = Array.from({ length: 1 << 15 }, (_, i) => [
+      (i * 0.618034 * 300) % 300,
+      0,
+      (i * 0.754878 * 2) % 2,
+    ]);
+    const corridor = room(60_000).map(([x, y, z]) => [50 * x, y, z]);
+    const points = [...wall, ...corridor];
     const statuses: ReadStatus[] = [];
     const options = resolveOptions({ resolution: 0.05 });
     const scan = await readScan(memorySource(ply(points), 'room.ply'), options, {
       onProgress: (status) => statuses.push(status),
     });
-    const forwards = await readScan(memorySource(ply([...points].reverse()), 'room.ply'), options);
-    expect(scan.cellSize).toBe(forwards.cellSize);
-    expect(scan.positions).toEqual(forwards.positions);
-    expect(statuses.at(-1)?.bytesRead).toBe(statuses.at(-1)?.totalBytes);
+    const reverse = await readScan(memorySource(ply([...points].reverse()), 'room.ply'), options);
+    expect(scan.cellSize).toBe(2 ** -5);
+    expect(reverse.cellSize).toBe(scan.cellSize);
+    expect(scan.positions).toEqual(reverse.positions);
+    const [{ totalBytes: once }, last] = [statuses[0], statuses[statuses.length - 1]];
+    expect(last).toMatchObject({ totalBytes: 2 * once!, bytesRead: 2 * once! });
+  });
+
+  it('reads once more where the first points made the cells too fine to be told apart', async () => {
+    // A model of the room in metres lies in front of two rooms in millimetres, 2²¹ cells of the model's from each other.
+    const rooms = room(20_000, 1000).flatMap(([x, y, z]) => [
+      [x, y, z],
+      [x + 2 ** 14, y, z],
+    ]);
+    const source = memorySource(ply([...room(1 << 15), ...rooms]), 'rooms.ply');
+    const scan = await readScan(source, OPTIONS);
+    const told = await readScan(source, resolveOptions({ unit: 'mm' }));
+    expect(scan.cellSize).toBe(8);
+    expect(scan.positions).toEqual(told.positions);
   });
 
   it('warns where the budget coarsens', async () => {

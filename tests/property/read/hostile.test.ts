@@ -1,0 +1,91 @@
+import fc from 'fast-check';
+import { expect, it } from 'vitest';
+import { FloorPlanError } from '../../../src/core/errors.ts';
+import { resolveOptions } from '../../../src/core/options.ts';
+import { READ_FORMAT_NAMES, READ_FORMATS } from '../../../src/read/formats.ts';
+import { readScan } from '../../../src/read/read-scan.ts';
+import type { ByteSource } from '../../../src/read/source.ts';
+import { bytesOf, memorySource } from '../../unit/read/memory-source.ts';
+import { plyBytes } from '../../unit/read/ply-bytes.ts';
+
+const OPTIONS = resolveOptions({ pointBudget: 1_000 });
+const records = Array.from({ length: 20 }, (_, i) => [i % 5, [i, i], (i * 7) % 11, (i * 3) % 13, i, i, i]);
+const properties = [
+  { name: 'x', type: 'float' },
+  { name: 'links', type: 'short', countType: 'uint' },
+  ...['y', 'z', 'red', 'green', 'blue'].map((name) => ({ name, type: 'float' }) as const),
+] as const;
+const vertex = { name: 'vertex', properties, records };
+
+/** Whole files whose bytes are then spoilt. */
+const GOOD = [
+  plyBytes([vertex], { format: 'ascii' }),
+  plyBytes([vertex], { format: 'binary_little_endian' }),
+  plyBytes([{ ...vertex, name: 'face' }, vertex], { format: 'binary_big_endian' }),
+  bytesOf(`x,y,z,r,g,b\n${records.map(([x, , y, z]) => [x, y, z, 1, 2, 3].join()).join('\n')}`),
+  bytesOf(records.map(([x, , y]) => `${x},5 ${y},25\r`).join('')),
+];
+
+const spoilt = fc
+  .record({
+    file: fc.constantFrom(...GOOD),
+    edits: fc.array(fc.tuple(fc.double({ min: 0, max: 1, noNaN: true }), fc.integer({ min: 0, max: 255 })), {
+      maxLength: 6,
+    }),
+    keep: fc.oneof(fc.constant(1), fc.double({ min: 0, max: 1, noNaN: true })),
+    tail: fc.uint8Array({ maxLength: 30 }),
+  })
+  .map(({ file, edits, keep, tail }) => {
+    const bytes = new Uint8Array([...file.subarray(0, Math.floor(file.length * keep)), ...tail]);
+    for (const [place, value] of edits)
+      if (bytes.length > 0) bytes[Math.floor(place * (bytes.length - 1))] = value;
+    return bytes;
+  });
+
+const hostile = fc.oneof(
+  spoilt,
+  fc.uint8Array({ maxLength: 400 }),
+  fc.string({ unit: fc.constantFrom(...'0123456789.,;-+e" \t\r\n#%/nainfxyz'), maxLength: 200 }).map(bytesOf),
+);
+const pieces = fc.array(fc.integer({ min: 1, max: 60 }), { minLength: 1, maxLength: 3 });
+
+async function expectScanOrError(work: () => Promise<unknown>): Promise<void> {
+  try {
+    await work();
+  } catch (error) {
+    if (!(error instanceof FloorPlanError)) throw error;
+    expect(error.code).toMatch(/^input\//);
+    expect(error.message).not.toBe('');
+    expect(error.hint).not.toBe('');
+  }
+}
+
+it('answers hostile bytes with a scan or a FloorPlanError', async () => {
+  await fc.assert(
+    fc.asyncProperty(
+      hostile,
+      fc.constantFrom('a.ply', 'a.csv', 'a'),
+      pieces,
+      fc.boolean(),
+      async (bytes, name, split, hasSize) => {
+        const memory = memorySource(bytes, name, split);
+        const source: ByteSource = hasSize ? memory : { ...memory, size: undefined };
+        await expectScanOrError(() => readScan(source, OPTIONS));
+      },
+    ),
+    { numRuns: 1_500 },
+  );
+});
+
+it.each(READ_FORMAT_NAMES)('the %s reader alone throws nothing else', async (format) => {
+  await fc.assert(
+    fc.asyncProperty(hostile, pieces, async (bytes, split) => {
+      READ_FORMATS[format].detect(bytes);
+      await expectScanOrError(async () => {
+        const cloud = await READ_FORMATS[format].open(memorySource(bytes, 'a', split));
+        for await (const { count } of cloud.chunks(() => {})) expect(count).toBeGreaterThan(0);
+      });
+    }),
+    { numRuns: 1_000 },
+  );
+});

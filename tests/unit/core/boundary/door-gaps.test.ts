@@ -1,0 +1,280 @@
+/** The safeguard: a gap in a wall is bridged at every opening length; a recess as wide is followed. */
+import { describe, expect, it } from 'vitest';
+import { findBoundary } from '../../../../src/core/boundary.ts';
+import { meanSpacing } from '../../../../src/core/geometry/spacing.ts';
+import { expectValidPolygons } from '../../../invariants.ts';
+import { areaError, intersectionOverUnion, ringOf } from './measures.ts';
+import { asSlice, closed, listeningContext, optionsWith, type Path, scanWalls } from './wall-slices.ts';
+
+const ROOMS: Readonly<Record<string, Path>> = {
+  rectangle: [
+    [0, 0],
+    [10, 0],
+    [10, 4],
+    [0, 4],
+  ],
+  ell: [
+    [0, 0],
+    [10, 0],
+    [10, 4],
+    [6, 4],
+    [6, 7],
+    [0, 7],
+  ],
+  skew: [
+    [0, 0],
+    [8, 0.4],
+    [9, 5],
+    [1, 5.5],
+  ],
+  circle: Array.from({ length: 60 }, (_, k) => [
+    4 * Math.cos((k * Math.PI) / 30),
+    4 * Math.sin((k * Math.PI) / 30),
+  ]),
+};
+const WIDTHS = [0.3, 0.6, 1, 2, 3];
+const OPENING_LENGTHS = [0.05, 'auto', 0.5, 2.5] as const;
+const POSITIONS = [0.05, 0.3, 0.55, 0.8];
+
+function lengthOf(path: Path): number {
+  return path.slice(1).reduce((sum, [x, y], k) => sum + Math.hypot(x - path[k][0], y - path[k][1]), 0);
+}
+
+/** A gap in the first wall, around the end when it reaches over it. */
+function gapAt(from: number, width: number, length: number) {
+  const gap = { wall: 0, from, to: from + width };
+  return from + width > length ? [gap, { wall: 0, from: -1, to: from + width - length }] : [gap];
+}
+
+describe('a gap in a wall', () => {
+  for (const [name, room] of Object.entries(ROOMS)) {
+    for (const noise of [0, 0.006, 0.02]) {
+      it(`costs at most 2 % of the area: ${name}, noise ${1000 * noise} mm`, () => {
+        const wall = closed(room);
+        const length = lengthOf(wall);
+        for (const width of WIDTHS) {
+          for (const position of POSITIONS) {
+            const scan = {
+              walls: [wall],
+              perMetre: 60,
+              noise,
+              seed: 1 + Math.round(10 * position + 100 * width),
+            };
+            const gaps = gapAt(position * length, width, length);
+            const slice = asSlice(scanWalls({ ...scan, gaps }));
+            const whole = asSlice(scanWalls(scan));
+            for (const openingLength of OPENING_LENGTHS) {
+              const context = listeningContext();
+              const options = optionsWith({ openingLength });
+              const { polygons, gaps: found } = findBoundary(slice, options, context);
+              const where = `width ${width}, at ${position}, opening length ${openingLength}`;
+              // Noise alone widens a hull, and a long opening length cuts notches: the same scan without the gap tells.
+              const reference = findBoundary(whole, options, listeningContext()).polygons[0].outer;
+              const errors = [reference, ringOf(room)].map((truth) => areaError(polygons[0].outer, truth));
+              expect(Math.min(...errors), where).toBeLessThan(0.02);
+              expectValidPolygons(polygons);
+              const warning = context.warnings.find(({ code }) => code === 'boundary/gap-bridged');
+              expect(warning?.message, where).toMatch(/\d\.\d\d m wide at \(-?\d/);
+              const missing = found.reduce((sum, gap) => sum + gap.width, 0);
+              expect(missing, where).toBeGreaterThan(0.6 * width);
+            }
+          }
+        }
+      });
+    }
+  }
+
+  it('is named with its place and width', () => {
+    const gaps = [{ wall: 0, from: 3, to: 4 }];
+    const xy = scanWalls({ walls: [closed(ROOMS.rectangle)], perMetre: 100, noise: 0.005, seed: 1, gaps });
+    const { gaps: found } = findBoundary(asSlice(xy), optionsWith(), listeningContext());
+    expect(found.length).toBe(1);
+    expect(found[0].width).toBeCloseTo(1, 1);
+    expect(found[0].from[0]).toBeCloseTo(3, 1);
+    expect(found[0].to[0]).toBeCloseTo(4, 1);
+    expect(found[0].from[1]).toBeCloseTo(0, 1);
+  });
+
+  it('loses the room without the safeguard, and says so', () => {
+    const gaps = [{ wall: 0, from: 3, to: 3.6 }];
+    const xy = scanWalls({ walls: [closed(ROOMS.rectangle)], perMetre: 100, noise: 0.005, seed: 1, gaps });
+    const context = listeningContext();
+    const options = optionsWith({ openingLength: 0.5, bridgeGap: 0 });
+    const { polygons } = findBoundary(asSlice(xy), options, context);
+    expect(areaError(polygons[0].outer, ringOf(ROOMS.rectangle))).toBeGreaterThan(0.9);
+    expect(context.warnings.map(({ code }) => code)).toEqual(['boundary/collapsed']);
+  });
+
+  it('around a corner gets the corner back', () => {
+    const gaps = [{ wall: 0, from: 8.5, to: 11.5 }];
+    const xy = scanWalls({ walls: [closed(ROOMS.rectangle)], perMetre: 100, noise: 0.006, seed: 2, gaps });
+    const { polygons, gaps: found } = findBoundary(asSlice(xy), optionsWith(), listeningContext());
+    expect(found.length).toBe(2);
+    expect(intersectionOverUnion(polygons[0].outer, ringOf(ROOMS.rectangle))).toBeGreaterThan(0.99);
+  });
+
+  it.each([0, 20])(
+    'is bridged in a flat of four rooms with two-faced partitions and doors, %i stray points',
+    (count) => {
+      const face = 0.12;
+      const rooms: Path[] = [
+        closed([
+          [0, 0],
+          [4, 0],
+          [4, 4],
+          [0, 4],
+        ]),
+        closed([
+          [4 + face, 0],
+          [10, 0],
+          [10, 4],
+          [4 + face, 4],
+        ]),
+        closed([
+          [0, 4 + face],
+          [6, 4 + face],
+          [6, 8],
+          [0, 8],
+        ]),
+        closed([
+          [6 + face, 4 + face],
+          [10, 4 + face],
+          [10, 8],
+          [6 + face, 8],
+        ]),
+      ];
+      const doors = [
+        { wall: 0, from: 5, to: 5.9 },
+        { wall: 0, from: 9, to: 9.9 },
+        { wall: 2, from: 2.1, to: 3 },
+        { wall: 1, from: 11, to: 11.9 },
+      ];
+      for (const width of WIDTHS) {
+        for (const at of [0, 0.6, 1.6, 3.2, 5]) {
+          const gaps = [
+            ...doors,
+            { wall: 0, from: at, to: at + width },
+            { wall: 1, from: at - 4 - face, to: at + width - 4 - face },
+          ];
+          const strays = { count, box: [0, 0, 10, 8] as const };
+          const xy = scanWalls({ walls: rooms, perMetre: 100, noise: 0.006, seed: 5, gaps, strays });
+          for (const openingLength of [0.05, 0.1, 0.25, 0.5]) {
+            const context = listeningContext();
+            const { polygons } = findBoundary(asSlice(xy), optionsWith({ openingLength }), context);
+            const where = `width ${width}, at ${at}, opening length ${openingLength}`;
+            expect(
+              areaError(polygons[0].outer, Float64Array.of(0, 0, 10, 0, 10, 8, 0, 8)),
+              where,
+            ).toBeLessThan(0.02);
+            expect(context.warnings.map(({ code }) => code)).toContain('boundary/gap-bridged');
+            expectValidPolygons(polygons);
+          }
+        }
+      }
+    },
+  );
+});
+
+describe('a recess with scanned sides', () => {
+  const recesses: Readonly<Record<string, (width: number, depth: number) => Path>> = {
+    'in a wall': (w, d) => [
+      [0, 0],
+      [5 - w / 2, 0],
+      [5 - w / 2, d],
+      [5 + w / 2, d],
+      [5 + w / 2, 0],
+      [10, 0],
+      [10, 6],
+      [0, 6],
+    ],
+    slanting: (w, d) => [
+      [0, 0],
+      [5 - w / 2, 0],
+      [5 - w / 2 + 0.3 * d, d],
+      [5 + w / 2 + 0.3 * d, d],
+      [5 + w / 2, 0],
+      [10, 0],
+      [10, 6],
+      [0, 6],
+    ],
+    'at a corner': (w, d) => [
+      [0, 0],
+      [10 - w, 0],
+      [10 - w, d],
+      [10, d],
+      [10, 6],
+      [0, 6],
+    ],
+  };
+  for (const [name, make] of Object.entries(recesses)) {
+    it(`is followed, IoU at least 0.98: ${name}`, () => {
+      for (const width of WIDTHS) {
+        for (const depth of [0.3, 0.6, 1.2, 3]) {
+          // Narrower and deeper than this it is the hollow of a wall.
+          if (depth > 4 * width) continue;
+          const room = make(width, depth);
+          for (const noise of [0, 0.006]) {
+            const scan = {
+              walls: [closed(room)],
+              perMetre: 100,
+              noise,
+              seed: Math.round(10 * width + depth),
+            };
+            for (const openingLength of [0.1, 'auto', 0.2] as const) {
+              const { polygons } = findBoundary(
+                asSlice(scanWalls(scan)),
+                optionsWith({ openingLength }),
+                listeningContext(),
+              );
+              const where = `width ${width}, depth ${depth}, noise ${noise}, opening length ${openingLength}`;
+              expect(intersectionOverUnion(polygons[0].outer, ringOf(room)), where).toBeGreaterThan(0.98);
+              expectValidPolygons(polygons);
+            }
+          }
+        }
+      }
+    });
+  }
+
+  it('is followed with a window in its back wall, which is bridged', () => {
+    const room = recesses['in a wall'](3, 2);
+    const partition: Path = [
+      [3.5, 2],
+      [3.5, 6],
+    ];
+    const back = 5 - 1.5 + 2;
+    const gaps = [{ wall: 0, from: back + 0.9, to: back + 2.1 }];
+    const xy = scanWalls({ walls: [closed(room), partition], perMetre: 100, noise: 0.006, seed: 9, gaps });
+    const { polygons, gaps: found } = findBoundary(asSlice(xy), optionsWith(), listeningContext());
+    expect(intersectionOverUnion(polygons[0].outer, ringOf(room))).toBeGreaterThan(0.98);
+    expect(found.map(({ width }) => width.toFixed(1))).toEqual(['1.2']);
+  });
+});
+
+describe('the hollow between the faces of a partition', () => {
+  it('is not entered and is no gap', () => {
+    const left: Path = closed([
+      [0, 0],
+      [4, 0],
+      [4, 4],
+      [0, 4],
+    ]);
+    const right: Path = closed([
+      [4.15, 0],
+      [9, 0],
+      [9, 4],
+      [4.15, 4],
+    ]);
+    const xy = scanWalls({ walls: [left, right], perMetre: 300, noise: 0.003, seed: 4 });
+    expect(meanSpacing(xy)).toBeLessThan(0.01);
+    for (const openingLength of [0.05, 0.1, 'auto'] as const) {
+      const { polygons, gaps } = findBoundary(
+        asSlice(xy),
+        optionsWith({ openingLength }),
+        listeningContext(),
+      );
+      expect(areaError(polygons[0].outer, Float64Array.of(0, 0, 9, 0, 9, 4, 0, 4))).toBeLessThan(0.005);
+      expect(gaps).toEqual([]);
+    }
+  });
+});

@@ -1,0 +1,151 @@
+import { describe, expect, test } from 'vitest';
+import { polygonArea } from '../../../src/core/geometry/rings.ts';
+import { resolveOptions } from '../../../src/core/options.ts';
+import { makePlan, type PlanParts } from '../../../src/core/plan.ts';
+import { strokeContour } from '../../../src/core/plan-walls.ts';
+import { createRandom } from '../../../src/core/random.ts';
+import type { PointCloud, Polygon, Ring } from '../../../src/core/types.ts';
+import { expectValidPolygon, expectValidPolygons } from '../../invariants.ts';
+import { codesOf, everyIndex, listen, makeCloud } from './made-scan.ts';
+
+const ring = (...coordinates: number[]): Ring => Float64Array.from(coordinates);
+const RECTANGLE: Polygon = { outer: ring(0.1, 0.2, 6.1, 0.2, 6.1, 4.2, 0.1, 4.2), holes: [] };
+const OUTSIDE = { outside: 0.2, inside: 0 };
+
+describe('strokeContour', () => {
+  test('lies outside the inner face, whose corners keep their coordinates', () => {
+    const [wall, ...rest] = strokeContour(RECTANGLE, OUTSIDE);
+    expect(rest).toEqual([]);
+    expectValidPolygon(wall);
+    expect(polygonArea(wall)).toBeCloseTo(6.4 * 4.4 - 6 * 4, 6);
+    expect(corners(wall.holes[0])).toEqual(corners(RECTANGLE.outer));
+  });
+
+  test('is centred as a canvas stroke is', () => {
+    const [wall] = strokeContour(RECTANGLE, { outside: 0.1, inside: 0.1 });
+    expect(polygonArea(wall)).toBeCloseTo(6.2 * 4.2 - 5.8 * 3.8, 6);
+  });
+
+  test('keeps a tenth of a millimetre far from the origin', () => {
+    const [dx, dy] = [691_234.567, 5_334_567.891];
+    const far = { outer: RECTANGLE.outer.map((value, i) => value + (i % 2 === 0 ? dx : dy)), holes: [] };
+    const [wall] = strokeContour(far, OUTSIDE);
+    const xs = wall.outer.filter((_, i) => i % 2 === 0);
+    expect(Math.min(...xs)).toBeCloseTo(dx - 0.1, 6);
+    expect(Math.max(...xs)).toBeCloseTo(dx + 6.3, 6);
+    expect(corners(wall.holes[0])).toEqual(corners(far.outer));
+  });
+
+  test('walls a courtyard too', () => {
+    const courtyard = ring(2, 1.2, 2, 3.2, 4, 3.2, 4, 1.2);
+    const walls = strokeContour({ ...RECTANGLE, holes: [courtyard] }, OUTSIDE);
+    expectValidPolygons(walls);
+    expect(walls.length).toBe(2);
+    expect(polygonArea(walls[1])).toBeCloseTo(4 - 1.6 ** 2, 6);
+  });
+
+  test('fills a courtyard narrower than two walls', () => {
+    const shaft = ring(2, 1.2, 2, 1.5, 2.3, 1.5, 2.3, 1.2);
+    const walls = strokeContour({ ...RECTANGLE, holes: [shaft] }, OUTSIDE);
+    expect(walls[1].holes).toEqual([]);
+    expect(polygonArea(walls[1])).toBeCloseTo(0.09, 6);
+  });
+
+  test('squares a needle instead of drawing it out', () => {
+    const [wall] = strokeContour({ outer: ring(0, 0, 10, 0, 0, 0.5), holes: [] }, OUTSIDE);
+    expectValidPolygon(wall);
+    expect(Math.max(...wall.outer)).toBeLessThan(10.5);
+  });
+
+  test('stays valid around rings of every shape', () => {
+    for (let seed = 0; seed < 150; seed++) {
+      const random = createRandom(seed);
+      const polygon = { outer: starRing(random), holes: [] };
+      const thickness = 0.05 + random();
+      const walls = strokeContour(polygon, { outside: thickness, inside: 0 });
+      for (const wall of walls) expectValidPolygon(wall, `seed ${seed}`);
+      const area = walls.reduce((sum, wall) => sum + polygonArea(wall), 0);
+      expect(area).toBeGreaterThan(0.5 * thickness * 4);
+    }
+  });
+});
+
+describe('makePlan', () => {
+  const points: number[] = [];
+  for (const x of [0.1, 6.1]) for (const y of [0.2, 4.2]) for (const z of [1, 2, 3.5]) points.push(x, y, z);
+
+  function run(extra: Partial<PointCloud>, given: Parameters<typeof resolveOptions>[0] = {}, gapWidth = 0) {
+    const cloud = makeCloud(points, extra);
+    const { context, warnings } = listen();
+    const gap = { from: [0.1, 0.2], to: [0.1 + gapWidth, 0.2], width: gapWidth } as const;
+    const parts: PlanParts = {
+      source: { name: 'a', format: 'ply', bytes: 1, pointsRead: 1, pointsDropped: 0, pointsKept: 1 },
+      cloud,
+      kept: everyIndex(cloud),
+      boundary: {
+        method: 'gift-opening',
+        polygons: [RECTANGLE],
+        openingLength: 1,
+        gaps: gapWidth > 0 ? [gap] : [],
+      },
+      regularised: { passes: [], polygons: [RECTANGLE] },
+      secondary: { clusters: new Uint8Array(0), boundaries: [] },
+      options: resolveOptions(given),
+    };
+    const plan = makePlan(parts, context);
+    return { plan, storey: plan.storeys[0], codes: codesOf(warnings) };
+  }
+
+  test('stands from floor to ceiling', () => {
+    const { storey, codes, plan } = run({ floor: 1, ceiling: 3.4 });
+    expect(storey.floor).toBe(1);
+    expect(storey.height).toBeCloseTo(2.4, 9);
+    expect(storey.primary).toEqual([RECTANGLE]);
+    expect(plan.storeys.length).toBe(1);
+    expect(codes).toEqual([]);
+  });
+
+  test('takes the given height', () => {
+    expect(run({ floor: 1, ceiling: 3.4 }, { wallHeight: 2 }).storey.height).toBe(2);
+  });
+
+  test('takes the highest point where there is no ceiling, and says so', () => {
+    const { storey, codes } = run({ floor: 1 });
+    expect(storey.height).toBeCloseTo(2.5, 6);
+    expect(codes).toEqual(['plan/height-assumed']);
+  });
+
+  test('assumes a height for a slice, and says so, unless it is given', () => {
+    expect(run({ isFlat: true }).codes).toEqual(['plan/height-assumed']);
+    expect(run({ isFlat: true }).storey.height).toBe(2.5);
+    expect(run({ isFlat: true }, { wallHeight: 3 }).codes).toEqual([]);
+  });
+
+  test('walls have the thickness, side and confidence', () => {
+    const { storey } = run({ floor: 0, ceiling: 3 }, { wallThickness: 0.3 }, 5);
+    expect(storey.walls.length).toBe(1);
+    expect(storey.walls[0].thickness).toBe(0.3);
+    expect(storey.walls[0].confidence).toBeCloseTo(1 - 5 / 20, 9);
+    expect(polygonArea(storey.walls[0].outline)).toBeCloseTo(6.6 * 4.6 - 24, 6);
+    const centred = run({ floor: 0, ceiling: 3 }, { wallSide: 'centre' }).storey.walls[0];
+    expect(polygonArea(centred.outline)).toBeCloseTo(6.2 * 4.2 - 5.8 * 3.8, 6);
+  });
+});
+
+function corners(source: Ring): string[] {
+  const list: string[] = [];
+  for (let i = 0; i < source.length; i += 2) list.push(`${source[i]} ${source[i + 1]}`);
+  return list.sort();
+}
+
+/** A star-shaped ring of random radii: concave, sharp, always simple. */
+function starRing(random: () => number): Ring {
+  const vertices = 4 + Math.floor(random() * 20);
+  const coordinates: number[] = [];
+  for (let k = 0; k < vertices; k++) {
+    const angle = (2 * Math.PI * (k + 0.8 * random())) / vertices;
+    const radius = 1 + 4 * random();
+    coordinates.push(radius * Math.cos(angle), radius * Math.sin(angle));
+  }
+  return Float64Array.from(coordinates);
+}
