@@ -3,7 +3,7 @@ import { checkSpread } from './frame/check-spread.ts';
 import { fitTilt, MOST_TILT } from './frame/fit-tilt.ts';
 import { findGravity, type Gravity } from './frame/gravity.ts';
 import { findHeightPlanes, type HeightPlane } from './frame/height-planes.ts';
-import { type JudgedUnit, judgeUnitFrom, statedUnit } from './frame/judge-unit.ts';
+import { type JudgedUnit, judgeSliceUnit, judgeUnitFrom, statedUnit } from './frame/judge-unit.ts';
 import { boundsOf, largestExtent, trimmedBounds } from './frame/robust-scale.ts';
 import {
   axisVector,
@@ -23,8 +23,6 @@ const FLOOR_COSINE = Math.cos((8 * Math.PI) / 180);
 const PLANE_REACH = 3;
 const PLANE_BINS = 12;
 const REFINE_ROUNDS = 4;
-/** A ready slice narrower than this, m, was hardly drawn in canvas pixels. */
-const LEAST_SLICE = 1;
 /**
  * Trimmed bounds grown by this share hold a centroid's points: all of a clean cloud, no far stray of another.
  */
@@ -123,15 +121,8 @@ function refineHeight(positions: Float32Array, height: number, reach: number): n
 
 /** A ready slice lies in the plan frame already. */
 function orientSlice(scan: Scan, options: Options, context: StageContext): PointCloud {
-  const unit = statedUnit(scan, options)!;
-  const extent = largestExtent(boundsOf(scan.positions)) * unit.metresPerUnit;
-  if (extent < LEAST_SLICE && options.unit === 'auto') {
-    context.warn({
-      code: 'frame/small-slice',
-      message: `The slice is ${(extent * 1000).toFixed(0)} mm wide when its unit is ${unit.unit}.`,
-      hint: 'If it was measured in metres, set the unit.',
-    });
-  }
+  const unit = statedUnit(scan, options) ?? judgeSliceUnit(scan, options);
+  warnOfGuess(unit, context);
   const reason = 'A ready slice lies in the plan frame; z is up.';
   return levelCloud(scan, 'z', unit, reason);
 }

@@ -118,7 +118,7 @@ export const PARAMS = {
     max: 10_000,
     step: 1,
     unit: 'px/m',
-    stage: 'frame',
+    stage: 'read',
     label: 'Pixels per metre',
     doc: "Scale between the paper's canvas pixels and metres.",
     source: '[Stojanovic19] §4',

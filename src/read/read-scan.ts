@@ -117,8 +117,9 @@ function firstCell(run: ReadRun, chunk: PointChunk): number {
 
 /** Whether points were lost that cells of `target` keep: to cells too coarse, or too fine to be told apart. */
 function isWrongStart({ cell, firstCell, isOverBudget, bounds }: Thinning, target: number): boolean {
-  if (cell > target) return !isOverBudget;
-  return firstCell > 0 && firstCell < target && diagonalOf(bounds) / firstCell >= CELLS_TOLD_APART;
+  const isFiner = firstCell > 0 && firstCell < target;
+  if (isFiner && diagonalOf(bounds) / firstCell >= CELLS_TOLD_APART) return true;
+  return cell > target && !isOverBudget;
 }
 
 function targetCell(run: ReadRun, { sample }: Thinning): number {

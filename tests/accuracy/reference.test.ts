@@ -13,12 +13,14 @@ import { measurePlan } from './measure.ts';
 import { MEASURE_NAMES, type Measures, rowOf } from './measures.ts';
 
 const scorer = resolve(import.meta.dirname, '../../../shared/design/score.py');
-const pythons = [process.env.PYTHON, 'python3', '/tmp/venv/bin/python'].filter((name) => name !== undefined);
+const pythons = [process.env.PYTHON, 'python3'].filter((name) => name !== undefined);
 const python = pythons.find((name) => spawnSync(name, ['-c', 'import numpy, scipy, shapely']).status === 0);
 const missing = [
   ...(existsSync(scorer) ? [] : [`the reference scorer ${scorer}`]),
   ...(python ? [] : ['a Python with numpy, scipy and shapely (set PYTHON)']),
 ];
+
+if (missing.length > 0) console.warn(`The measure is not compared: no ${missing.join(', no ')}.`);
 
 const folder = mkdtempSync(join(tmpdir(), 'grundriss-measure-'));
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
@@ -49,7 +51,9 @@ function worsened(truth: Truth, random: Random): PlanFile {
 type Feature = PlanFile['features'][number];
 
 function worsenedStorey(storey: TruthStorey, index: number, unit: number, random: Random): Feature[] {
-  const size = random.between(0.01, 0.12) * unit;
+  // Vertices of curves lie 15 cm apart: moved by more, they cross.
+  const isCurved = storey.outer[0].length > 30;
+  const size = (isCurved ? 0.01 : random.between(0.01, 0.12)) * unit;
   const shifted = ([x, y]: readonly number[]): number[] => [
     x + random.normal() * size,
     y + random.normal() * size,
@@ -127,6 +131,7 @@ describe('our measure and the reference scorer', () => {
   it.skipIf(missing.length > 0)(
     `agree on every figure${missing.map((what) => ` (skipped: no ${what})`)}`,
     () => {
+      let valid = 0;
       for (const truth of truths) {
         for (let round = 0; round < 3; round++) {
           const plan = worsened(truth, seededRandom(round, truth.name));
@@ -135,9 +140,11 @@ describe('our measure and the reference scorer', () => {
           const theirs = referenceScore(plan, truth);
           expect(figures.valid, `${truth.name} ${round}: valid`).toBe(Number(theirs.valid));
           if (figures.valid !== 1) continue;
+          valid++;
           expect(expectAgreement(figures, theirs, `${truth.name} ${round}`)).toBeGreaterThan(20);
         }
       }
+      expect(valid).toBeGreaterThan(7);
     },
   );
 

@@ -21,7 +21,7 @@ export function isValidPolygon(polygon: Polygon): boolean {
   if (rings.length === 0 || rings.some((ring) => ring.length < 3 || !ring.flat().every(Number.isFinite)))
     return false;
   const touches = findTouches(rings);
-  return touches !== null && !closesLoop(touches, rings.length) && holesLieInside(rings);
+  return touches !== null && !closesLoop(touches) && holesLieInside(rings);
 }
 
 function withoutRepeats(ring: readonly XY[]): XY[] {
@@ -101,8 +101,7 @@ function meetOnLine(p: Edge, q: Edge): 'apart' | 'clash' | XY {
 }
 
 /** Rings that touch around a loop cut the interior in two. */
-function closesLoop(touches: readonly Touch[], ringCount: number): boolean {
-  const distinct = new Map(touches.map((touch) => [`${[...touch.rings].sort().join()} ${touch.at}`, touch]));
+function closesLoop(touches: readonly Touch[]): boolean {
   // Rings and touching points are the nodes of a graph: a loop in it encloses a part of the interior.
   const parent = new Map<string, string>();
   const find = (node: string): string => {
@@ -110,8 +109,7 @@ function closesLoop(touches: readonly Touch[], ringCount: number): boolean {
     return up === undefined ? node : find(up);
   };
   const links = new Set<string>();
-  for (const { rings, at } of distinct.values()) for (const ring of rings) links.add(`r${ring}|p${at}`);
-  if (ringCount < 2) return false;
+  for (const { rings, at } of touches) for (const ring of rings) links.add(`r${ring}|p${at}`);
   for (const link of links) {
     const [ring, point] = link.split('|').map(find);
     if (ring === point) return true;

@@ -27,7 +27,7 @@ function layerOf(file: string): string {
 
 function importsOf(file: string): string[] {
   const text = readFileSync(file, 'utf8');
-  return [...text.matchAll(/(?:from|import)\s*\(?\s*'([^']+)'/g)].map((match) => match[1]);
+  return [...text.matchAll(/(?<=\s)(?:from|import)\s*\(?\s*'([^']+)'/g)].map((match) => match[1]);
 }
 
 const table = readTable();

@@ -38,7 +38,6 @@ type UnitScan = Pick<Scan, 'positions' | 'isSlice' | 'unit'>;
 export function statedUnit(scan: UnitScan, options: UnitOptions): JudgedUnit | null {
   if (options.unit !== 'auto') return stated(options.unit, options, 'it was given');
   if (scan.unit !== undefined) return stated(scan.unit, options, 'the file states it');
-  if (scan.isSlice) return stated('px', options, 'ready slices are drawn in canvas pixels');
   return null;
 }
 
@@ -53,11 +52,24 @@ export function statedUnit(scan: UnitScan, options: UnitOptions): JudgedUnit | n
 export function judgeUnit(scan: UnitScan, options: UnitOptions): JudgedUnit {
   const known = statedUnit(scan, options);
   if (known) return known;
+  if (scan.isSlice) return judgeSliceUnit(scan, options);
   const bounds = boundsOf(scan.positions);
   const isFlat = [0, 1, 2].some((axis) => bounds.max[axis] === bounds.min[axis]);
   const { positions } = scan;
   const planes = isFlat ? [] : findGravity(positions, surfacePatches(positions), options.up).planes.strong;
   return judgeUnitFrom(planes, largestExtent(trimmedBounds(positions)));
+}
+
+/**
+ * Ready slices are drawn in canvas pixels ([Stojanovic19] §4), unless that would make a room smaller than a cupboard: then
+ * somebody has saved metres.
+ */
+export function judgeSliceUnit({ positions }: UnitScan, options: UnitOptions): JudgedUnit {
+  const pixels = stated('px', options, 'ready slices are drawn in canvas pixels');
+  const extent = largestExtent(trimmedBounds(positions));
+  if (extent * pixels.metresPerUnit >= EXTENT.least || !isWithin(extent, USUAL_EXTENT)) return pixels;
+  const reason = `The unit is taken for m: in canvas pixels the slice would be ${format(extent * pixels.metresPerUnit)} m wide.`;
+  return { unit: 'm', metresPerUnit: 1, reason, isGuess: true };
 }
 
 /**

@@ -10,7 +10,8 @@ type Point = readonly [number, number, number];
 /** Coordinates that meet in cells, repeat, and lie on cell borders. */
 const coordinate = fc.oneof(
   fc.integer({ min: -40, max: 40 }).map((n) => n / 8),
-  fc.double({ min: -5, max: 5, noNaN: true }),
+  // Not the denormals of float64: a hundred zeros behind the point, cells are scaled past them.
+  fc.float({ min: -5, max: 5, noNaN: true }),
   fc.constantFrom(0, -0, 1e6, 1e6 + 2 ** -9, -1e-300),
 );
 const points = fc.array(fc.tuple(coordinate, coordinate, coordinate), { minLength: 1, maxLength: 300 });

@@ -224,8 +224,10 @@ describe('clouds without height', () => {
     expect(codes).toEqual([]);
   });
 
-  test('a slice that is tiny in pixels is asked about', () => {
-    expect(run(makeSliceScan(SLICE.map((value) => value / 100))).codes).toEqual(['frame/small-slice']);
+  test('a slice that is tiny in pixels is taken for metres, with a warning', () => {
+    const { cloud, codes } = run(makeSliceScan(SLICE.map((value) => value / 100)));
+    expect(cloud.frame).toMatchObject({ unit: 'm', metresPerUnit: 1 });
+    expect(codes).toEqual(['frame/unit-guessed']);
   });
 
   test.each(['x', 'y', 'z'] as const)('a cloud flat along %s is seen along it', (up) => {
