@@ -4,8 +4,11 @@ import { type ChosenLevel, storeyRange } from './level.ts';
 import type { Options } from './params.ts';
 import type { PointCloud } from './types.ts';
 
-/** Side of a column, m: with its neighbours it spans 15 cm, a thin wall with both its noisy faces. */
-const COLUMN = 0.05;
+/**
+ * Side of a column, m: with its neighbours it spans 9 cm, the noisy face of a wall but hardly of the reveal behind it.
+ * Mean footprint IoU over ten simulated scans (4 and 5 cm voxels): 0.924 with 5 cm, 0.935 with 3 cm, 0.936 with 2 cm.
+ */
+const COLUMN = 0.03;
 /** Steps of height in which a column is looked at, m: coarser than the voxels of a thinned cloud. */
 const STEP = 0.1;
 /** Bits of a mask. */

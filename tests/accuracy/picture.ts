@@ -16,12 +16,12 @@ const STYLE = `
 .structure{fill:#b02020;fill-opacity:.3;stroke:#b02020}
 .opening{stroke:#108040;stroke-width:3}
 .true-opening{stroke:#2457d6;stroke-width:6;stroke-opacity:.25}
-.points{stroke:#1b1f24;stroke-width:1.2;stroke-opacity:.45;stroke-linecap:round}
+.points{stroke:#1b1f24;stroke-width:1.2;stroke-opacity:.6;stroke-linecap:round}
 text{font:14px system-ui,sans-serif;fill:#1b1f24}`;
 
 type Coordinates = readonly (readonly number[])[];
 
-/** Truth in blue, plan in red and orange, slice points beneath: one storey seen from above. */
+/** Truth in blue, plan in red and orange, slice points in ink: one storey seen from above. */
 export function drawComparison(plan: PlanFile, truth: Truth, points: readonly XY[], storey: number): string {
   const facts: TruthStorey = 'storeys' in truth ? truth.storeys[storey] : truth;
   const features = plan.features.filter(({ properties }) => (properties.storey ?? 0) === storey);
@@ -45,10 +45,10 @@ export function drawComparison(plan: PlanFile, truth: Truth, points: readonly XY
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}"><style>${STYLE}</style>`,
     '<rect width="100%" height="100%" fill="#fff"/>',
-    `<path class="points" d="${dots.join('')}"/>`,
     ...facts.rooms.map((room) => polygon(room, 'truth')),
     ...facts.columns.map((column) => polygon(column, 'truth')),
     polygon(facts.interior_outline, 'outline'),
+    `<path class="points" d="${dots.join('')}"/>`,
     ...facts.openings.map(({ seg }) => line(seg, 'true-opening')),
     ...found('room').map((room) => polygon(room, 'room')),
     ...found('primary-boundary').map((boundary) => polygon(boundary, 'primary')),

@@ -90,7 +90,8 @@ export function takeBack(opening: Opening, mark: number): void {
   }
 }
 
-function depthOf({ grid: { x, y } }: HullRing, a: number, b: number, p: number): number {
+/** Distance of p from the line a → b, to its left. */
+export function depthOf({ grid: { x, y } }: HullRing, a: number, b: number, p: number): number {
   const ux = x[b] - x[a];
   const uy = y[b] - y[a];
   return (ux * (y[p] - y[a]) - uy * (x[p] - x[a])) / Math.sqrt(ux * ux + uy * uy);

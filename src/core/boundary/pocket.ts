@@ -9,7 +9,7 @@ const LARGEST_SHARE = 0.5;
 /** A mouth no wider than a thick wall, m, … */
 const CAVITY_MOUTH = 0.5;
 /** … with a pocket deeper than this many mouths, leads into the hollow between a wall's two faces. */
-const CAVITY_DEPTHS = 4;
+export const CAVITY_DEPTHS = 4;
 
 /**
  * An edge under trial: what lies behind it is opened to the end, and then judged.

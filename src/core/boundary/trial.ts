@@ -1,5 +1,6 @@
 import { isBlocked, lengthOf } from './hull-ring.ts';
 import {
+  depthOf,
   insertInto,
   isDeep,
   leaveClosed,
@@ -10,6 +11,7 @@ import {
 } from './opening.ts';
 import { findOpeningPoint } from './opening-point.ts';
 import {
+  CAVITY_DEPTHS,
   fits,
   isCavity,
   isWholeRoom,
@@ -39,7 +41,15 @@ const LEAST_COSINE = Math.SQRT1_2;
  * fits a strip ({@link Pocket}), is no hollow wall and not the whole room. Otherwise it is noted as a bridge.
  */
 export function openOnTrial(opening: Opening, rules: OpeningRules, a: number, p: number): void {
+  if (isCrack(opening, rules, a, p)) return;
   openMouth({ opening, rules }, { a, p, length: lengthOf(opening.hull, a), level: 1 }, null);
+}
+
+/** Whether an edge no longer than a step along a wall leads so deep that it can be no recess: spares most trials. */
+function isCrack({ hull }: Opening, rules: OpeningRules, a: number, p: number): boolean {
+  const length = lengthOf(hull, a);
+  if (length > rules.supportLength) return false;
+  return depthOf(hull, a, hull.next[a], p) > Math.max(noiseDepth(rules), CAVITY_DEPTHS * length);
 }
 
 interface Trial {
@@ -70,9 +80,8 @@ function openInner(trial: Trial, a: number, pocket: Pocket, level: number): numb
   const length = lengthOf(hull, a);
   if (length <= rules.openingLength) return 0;
   const p = level > DEEPEST ? -1 : findOpeningPoint(hull, a, hull.next[a]);
-  if (p < 0 || isBlocked(hull, a, p, hull.next[a]) || !fits(pocket, hull, p)) {
-    return leaveClosed(opening, rules, a, length);
-  }
+  const isOpen = p >= 0 && !isCrack(opening, rules, a, p) && fits(pocket, hull, p);
+  if (!isOpen || isBlocked(hull, a, p, hull.next[a])) return leaveClosed(opening, rules, a, length);
   const mouth = { a, p, length, level };
   const isMouth =
     length <= rules.bridgeLimit && isDeep(opening, rules, a, p) && continuesWalls(hull, a, LEAST_COSINE);

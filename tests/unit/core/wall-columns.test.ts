@@ -1,0 +1,68 @@
+import { describe, expect, it } from 'vitest';
+import { chooseLevel } from '../../../src/core/level.ts';
+import { resolveOptions } from '../../../src/core/options.ts';
+import type { PointCloud, Warning } from '../../../src/core/types.ts';
+import { keepWallColumns } from '../../../src/core/wall-columns.ts';
+
+/** A wall along x at y = 0 up to `top`, and a window's reveal behind it from 0.9 to 2.1 m, points 2 cm apart. */
+function wallWithReveal(top: number): { cloud: PointCloud; kept: Uint32Array } {
+  const positions: number[] = [];
+  for (let z = 0.01; z < top; z += 0.02) {
+    for (let x = 0; x < 4; x += 0.02) positions.push(x, 0, z);
+  }
+  for (let z = 0.9; z < 2.1; z += 0.02) {
+    for (let y = 0.02; y < 0.36; y += 0.02) positions.push(1, y, z);
+  }
+  const frame = {
+    origin: [0, 0, 0],
+    planOrigin: [0, 0, 0],
+    rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1],
+    metresPerUnit: 1,
+    unit: 'm',
+    up: 'z',
+    tilt: 0,
+  } as const;
+  const reasons = { unit: '', up: '' };
+  const cloud = {
+    frame,
+    positions: Float32Array.from(positions),
+    attributes: {},
+    floor: 0,
+    ceiling: 2.8,
+    reasons,
+    isFlat: false,
+  };
+  return { cloud, kept: Uint32Array.from({ length: positions.length / 3 }, (_, i) => i) };
+}
+
+function standing(top: number, wallReach: number) {
+  const { cloud, kept } = wallWithReveal(top);
+  const warnings: Warning[] = [];
+  const context = {
+    warn: (w: Warning) => warnings.push(w),
+    progress: () => {},
+    strokeTest: () => new Uint8Array(),
+  };
+  const options = resolveOptions({ level: '1:2', wallReach });
+  const level = chooseLevel(cloud, kept, options, context);
+  const left = keepWallColumns(cloud, kept, level, options, context);
+  const deepest = Math.max(...[...left].map((i) => cloud.positions[3 * i + 1]));
+  return { share: left.length / level.indices.length, deepest, codes: warnings.map(({ code }) => code) };
+}
+
+describe('keepWallColumns', () => {
+  it('keeps the wall, which goes on above the level, and drops the reveal, which ends at its lintel', () => {
+    const { share, deepest, codes } = standing(2.8, 0.6);
+    expect(share).toBeGreaterThan(0.9);
+    expect(deepest).toBeLessThanOrEqual(0.06);
+    expect(codes).toEqual([]);
+  });
+
+  it('keeps all where it is switched off', () => {
+    expect(standing(2.8, 0)).toMatchObject({ share: 1 });
+  });
+
+  it('keeps all, with a warning, where nothing was scanned above', () => {
+    expect(standing(2.1, 0.6)).toMatchObject({ share: 1, codes: ['slice/no-upper-walls'] });
+  });
+});
