@@ -67,7 +67,8 @@ async function get({ url, signal }: UrlRequest, range?: string): Promise<Respons
   try {
     response = await fetch(url, {
       ...(signal && { signal }),
-      ...(range && { headers: { Range: range } }),
+      // Kept out of the cache: Chromium completes a kept range with the rest of a compressed answer, undecoded.
+      ...(range && { headers: { Range: range }, cache: 'no-store' }),
     });
   } catch (cause) {
     throw networkError({ url, signal }, 'no answer', cause);

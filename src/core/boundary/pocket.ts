@@ -29,6 +29,8 @@ export interface Pocket {
   readonly tolerance: number;
   /** Area of the ring before, m². */
   readonly areaBefore: number;
+  /** Pockets around it. */
+  readonly level: number;
   readonly outer: Pocket | null;
   /** Slants (sideways per depth) of the strips that hold all points so far. */
   leastSlant: number;
@@ -49,6 +51,7 @@ export function startPocket(
     ay: y[a],
     ux: (x[b] - x[a]) / facts.length,
     uy: (y[b] - y[a]) / facts.length,
+    level: facts.outer === null ? 0 : facts.outer.level + 1,
     leastSlant: -STEEPEST_SLANT,
     mostSlant: STEEPEST_SLANT,
     depth: 0,

@@ -29,6 +29,8 @@ const UNSUPPORTED_SHARE = 0.95;
 const TOLERANCE_SHARE = 0.02;
 /** Openings in openings; a pocket that needs more stays closed. */
 const DEEPEST = 1_000;
+/** Strips in strips: a window in the back wall of a recess in a courtyard. */
+const MOST_STRIPS = 4;
 /** A mouth behind a mouth has a strip of its own where both its walls turn off by less than this: cosine of 45°. */
 const LEAST_COSINE = Math.SQRT1_2;
 

@@ -1,0 +1,12 @@
+import { expect, test } from '@playwright/test';
+import { launchOptions } from './chromium.ts';
+
+const options = launchOptions();
+test.use({ launchOptions: { ...options, args: [...(options.args ?? []), '--disable-3d-apis'] } });
+
+test('without WebGL the plan is there, and the model says why it is not', async ({ page }) => {
+  await page.goto('./');
+  await expect(page.getByTestId('status')).toHaveText('Plan ready', { timeout: 45_000 });
+  await expect(page.getByTestId('plan-svg')).toBeVisible();
+  await expect(page.getByText(/environment\/webgl/)).toBeVisible();
+});
