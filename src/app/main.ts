@@ -6,7 +6,8 @@ import { fillSamples, fillThumbnails, SAMPLES } from './samples.ts';
 import { makeThemeButton } from './theme.ts';
 
 const plan = document.querySelector('floor-plan');
-if (plan instanceof FloorPlanElement) start(plan);
+// A task of its own: the page has just built the element.
+if (plan instanceof FloorPlanElement) setTimeout(() => start(plan));
 
 /** Puts the page around the element: samples, theme, help, and the scan to begin with. */
 function start(element: FloorPlanElement): void {

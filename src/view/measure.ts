@@ -4,12 +4,12 @@ export type DisplayUnit = 'm' | 'ft';
 /** International foot and inch, exact by definition. */
 const METRES_PER_FOOT = 0.3048;
 const INCHES_PER_FOOT = 12;
-/** A scan is worth centimetres, a scale bar under the eye millimetres. */
-const METRE_DECIMALS = 3;
+/** A scan is worth centimetres; only a scale bar under the eye is finer than this. m */
+const FINE = 0.1;
 
 /** A length in metres as people write it: `3.42 m`, `11′ 3″`. */
 export function formatLength(metres: number, unit: DisplayUnit): string {
-  if (unit === 'm') return `${trim(metres, METRE_DECIMALS)} m`;
+  if (unit === 'm') return `${trim(metres, metres < FINE ? 3 : 2)} m`;
   const inches = (metres / METRES_PER_FOOT) * INCHES_PER_FOOT;
   if (inches < INCHES_PER_FOOT) return `${trim(inches, 2)}″`;
   const whole = Math.round(inches);

@@ -49,7 +49,7 @@ test('load, export, events and states', async ({ page }) => {
     [roomCsv(), Object.keys(EVENTS)] as const,
   );
   expect(seen.states).toEqual(['empty', 'loading', 'ready', 'failed']);
-  expect(seen.events).toEqual(['progress', 'plan-change', 'load', 'error']);
+  expect(seen.events).toEqual(['progress', 'plan-change', 'load', 'progress', 'error']);
   expect(seen.version).toBe(1);
   expect(seen.same).toBe(true);
   expect(seen.failed).toMatch(/^input\//);
@@ -73,7 +73,7 @@ test('every parameter is an attribute; a wrong value is an error that names it',
     floorSlab: false,
     secondaryOperation: ['add', 'subtract'],
   });
-  expect(given.after).toEqual({ secondaryOperation: ['add', 'subtract'] });
+  expect(given.after).toEqual({ wallThickness: 0.35, secondaryOperation: ['add', 'subtract'] });
   expect(given.error).toContain('wallThickness');
 });
 

@@ -2,7 +2,8 @@ import { expect, test } from '@playwright/test';
 import { launchOptions } from './chromium.ts';
 
 const options = launchOptions();
-test.use({ launchOptions: { ...options, args: [...(options.args ?? []), '--disable-3d-apis'] } });
+const args = [...(options.args ?? []), '--disable-gpu', '--disable-software-rasterizer'];
+test.use({ launchOptions: { ...options, args } });
 
 test('without WebGL the plan is there, and the model says why it is not', async ({ page }) => {
   await page.goto('./');
