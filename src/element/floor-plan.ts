@@ -15,7 +15,7 @@ import {
   type PlanState,
 } from './contract.ts';
 import { bundleFiles, saveFile } from './files.ts';
-import { History } from './history.ts';
+import { GivenOptions } from './given-options.ts';
 import type { Actions, Model } from './model.ts';
 import { Shell } from './shell.ts';
 import { adoptStyles } from './styles.ts';
@@ -46,7 +46,7 @@ export class FloorPlanElement extends Base {
   /** The scan being read. */
   #next: Source | null = null;
   #view: PlanView | null = null;
-  #given: Partial<Options> = {};
+  readonly #given = new GivenOptions();
   #state: PlanState = 'empty';
   #error: Error | null = null;
   #progress: Progress | null = null;
@@ -57,9 +57,6 @@ export class FloorPlanElement extends Base {
   #notices: Warning[] = [];
   #rest = 0;
   #frame = 0;
-  readonly #history = new History<Partial<Options>>();
-  /** Parameters as they were before the slider under the hand moved. */
-  #before: Partial<Options> | null = null;
 
   connectedCallback(): void {
     for (const name of ['file', 'options'] as const) this.#upgrade(name);
@@ -101,13 +98,13 @@ export class FloorPlanElement extends Base {
 
   /** Parameters given so far. @throws option/unknown, option/invalid when set to what {@link Options} does not allow */
   get options(): Partial<Options> {
-    return { ...this.#given };
+    return { ...this.#given.now };
   }
 
   set options(options: Partial<Options>) {
     resolveOptions(options);
-    this.#history.leave(this.#given);
-    this.#give({ ...options });
+    this.#given.replace(options);
+    this.#scheduleRun(0);
   }
 
   get plan(): FloorPlan | null {
@@ -127,7 +124,7 @@ export class FloorPlanElement extends Base {
     const next = sourceOf(source);
     this.#next = next;
     this.#pointsSeen = 0;
-    const view = await this.#run((client) => client.load(next.data, next.name, this.#given));
+    const view = await this.#run((client) => client.load(next.data, next.name, this.#given.now));
     this.#emit('load', view.plan);
     return view.plan;
   }
@@ -160,15 +157,16 @@ export class FloorPlanElement extends Base {
     return {
       open: (file) => void this.load(file).catch(ignore),
       cancel: () => this.cancel(),
-      change: (change, isFinal) => this.#change(change, isFinal),
-      reset: (names) => {
-        const given = { ...this.#given };
-        for (const name of names) delete given[name];
-        this.#history.leave(this.#given);
-        this.#give(given);
+      change: (change, isFinal) => {
+        this.#given.change(change, isFinal);
+        this.#scheduleRun(isFinal ? 0 : REST);
       },
-      undo: () => this.#give(this.#history.undo(this.#given)),
-      redo: () => this.#give(this.#history.redo(this.#given)),
+      reset: (names) => {
+        this.#given.reset(names);
+        this.#scheduleRun(0);
+      },
+      undo: () => this.#undo(),
+      redo: () => this.#redo(),
       save: (format) => void this.#save(format),
       dismiss: () => this.#settle(null),
       setUnit: (unit) => this.setAttribute('display-units', unit),
@@ -258,40 +256,30 @@ export class FloorPlanElement extends Base {
     return this.#client;
   }
 
-  #change(change: Partial<Options>, isFinal: boolean): void {
-    this.#before ??= this.#given;
-    const given = { ...this.#given, ...change };
-    if (isFinal) {
-      if (String(Object.entries(this.#before)) !== String(Object.entries(given)))
-        this.#history.leave(this.#before);
-      this.#before = null;
-      this.#give(given);
-      return;
-    }
-    this.#given = given;
-    this.#invalidate();
-    clearTimeout(this.#rest);
-    this.#rest = setTimeout(() => this.#restart(), REST) as unknown as number;
+  #undo(): void {
+    this.#given.undo();
+    this.#scheduleRun(0);
   }
 
-  #give(given: Partial<Options>): void {
-    this.#given = given;
-    this.#invalidate();
-    clearTimeout(this.#rest);
-    if (!this.#next && !this.#source) return;
-    // A task of its own: several attributes set in one go make one run.
-    this.#rest = setTimeout(() => this.#restart(), 0) as unknown as number;
+  #redo(): void {
+    this.#given.redo();
+    this.#scheduleRun(0);
   }
 
   #takeParam(param: ParamName, text: string | null): void {
-    const given = { ...this.#given };
-    delete given[param];
     try {
-      if (text !== null) Object.assign(given, parseParam(param, text));
-      this.#give(given);
+      this.#given.begin(param, text === null ? {} : parseParam(param, text));
+      this.#scheduleRun(0);
     } catch (error) {
       this.#complain(error as Error);
     }
+  }
+
+  /** In a task of its own at the earliest: several attributes set in one go make one run. */
+  #scheduleRun(delay: number): void {
+    this.#invalidate();
+    clearTimeout(this.#rest);
+    if (this.#next || this.#source) this.#rest = window.setTimeout(() => this.#restart(), delay);
   }
 
   /** Makes the plan again with the parameters of now: of the scan being read, else of the one shown. */
@@ -300,12 +288,12 @@ export class FloorPlanElement extends Base {
     const source = this.#next ?? (this.#isHeld ? null : this.#source);
     if (source) {
       this.#next = source;
-      this.#run((client) => client.load(source.data, source.name, this.#given)).then(
+      this.#run((client) => client.load(source.data, source.name, this.#given.now)).then(
         ({ plan }) => this.#emit('load', plan),
         ignore,
       );
     } else if (this.#source) {
-      this.#run((client) => client.update(this.#given)).catch(ignore);
+      this.#run((client) => client.update(this.#given.now)).catch(ignore);
     }
   }
 
@@ -322,7 +310,7 @@ export class FloorPlanElement extends Base {
     }
     if (!this.#isHeld) {
       const { data, name } = this.#source;
-      await this.#run((client) => client.load(data, name, this.#given));
+      await this.#run((client) => client.load(data, name, this.#given.now));
     }
     return this.#openClient().export(format);
   }
@@ -354,21 +342,21 @@ export class FloorPlanElement extends Base {
   #model(): Model {
     const unit: DisplayUnit = this.getAttribute('display-units') === 'ft' ? 'ft' : 'm';
     const layout = this.getAttribute('view') as Layout;
-    const preset = this.#given.preset ?? 'auto';
+    const preset = this.#given.now.preset ?? 'auto';
     const isSlice = preset === 'auto' && this.#view?.options.preset === 'paper';
     return {
       state: this.#state,
       view: this.#view,
-      given: this.#given,
-      options: resolveOptions(this.#given, { isSlice }),
+      given: this.#given.now,
+      options: resolveOptions(this.#given.now, { isSlice }),
       name: (this.#next ?? this.#source)?.name ?? '',
       progress: this.#progress,
       startedAt: this.#startedAt,
       pointsSeen: this.#pointsSeen,
       error: this.#error,
       notices: this.#notices,
-      canUndo: this.#history.canUndo,
-      canRedo: this.#history.canRedo,
+      canUndo: this.#given.canUndo,
+      canRedo: this.#given.canRedo,
       unit,
       layout: LAYOUTS.includes(layout) ? layout : 'split',
       storey: this.#storey,
@@ -382,7 +370,8 @@ export class FloorPlanElement extends Base {
     const isTyping = target instanceof HTMLInputElement && target.type === 'number';
     if (!isCommand || isTyping) return;
     event.preventDefault();
-    this.#give(event.shiftKey ? this.#history.redo(this.#given) : this.#history.undo(this.#given));
+    if (event.shiftKey) this.#redo();
+    else this.#undo();
   };
 
   /** A property set before the class was registered shadows the accessor; set it again through it. */

@@ -1,6 +1,6 @@
 import type { LevelChoice } from '../core/params.ts';
 import type { Level } from '../core/types.ts';
-import { formatCount, formatLength } from '../view/measure.ts';
+import { type DisplayUnit, formatCount, formatLength } from '../view/measure.ts';
 import { icon } from './icon.ts';
 import { make, setAttribute, setText } from './make.ts';
 import type { Actions, Panel } from './model.ts';
@@ -74,18 +74,21 @@ function makeLevel(index: number, onPick: () => void) {
   );
   return {
     node,
-    show(level: Level | undefined, densest: number, unit: 'm' | 'ft') {
-      node.disabled = level === undefined;
+    show(level: Level | undefined, densest: number, unit: DisplayUnit) {
+      node.disabled = !level || level.points === 0;
       setAttribute(node, 'aria-pressed', String(level?.chosen ?? false));
-      setText(
-        range,
-        level ? `${formatLength(level.low, unit)} to ${formatLength(level.high, unit)}` : `Level ${index}`,
-      );
+      setText(range, level ? rangeOf(level, unit) : `Level ${index}`);
       setText(points, level ? `${formatCount(level.points)} points` : '');
       setText(density, level ? `${formatCount(level.densityPerM2)} per m²` : '');
       node.style.setProperty('--density', String(level ? level.densityPerM2 / densest : 0));
     },
   };
+}
+
+/** A ready slice has no heights. */
+function rangeOf({ low, high, points }: Level, unit: DisplayUnit): string {
+  if (low < high) return `${formatLength(low, unit)} to ${formatLength(high, unit)}`;
+  return points > 0 ? 'The slice as it came' : 'Nothing here';
 }
 
 function bandField(name: string): HTMLInputElement {

@@ -61,7 +61,8 @@ function refuseForeign(root: Element): void {
     if (!isKnown || !isPlain) throw refused(`<${element.localName}> is not allowed`);
     for (const { name, value } of element.attributes) {
       const isLink = /(^|:)href$/i.test(name) && !value.startsWith('#');
-      if (/^on/i.test(name) || name === 'style' || isLink)
+      const isReference = /url\((?!#)/i.test(value);
+      if (/^on/i.test(name) || name === 'style' || isLink || isReference)
         throw refused(`the attribute ${name} is not allowed`);
     }
   }

@@ -83,7 +83,8 @@ export class Painter {
   #grid: ReturnType<typeof makeGrid> | null = null;
   #layers: SceneLayers | null = null;
   #colours: SceneColours | null = null;
-  #hasPose = false;
+  /** Size and sharpness of the canvas; empty before there is a pose. */
+  #shape = '';
   #pending = 0;
 
   /** @throws Error where there is no WebGL 2 */
@@ -139,13 +140,17 @@ export class Painter {
 
   #place({ width, height, ratio, fov, near, far, position, quaternion }: Pose): void {
     const [x, y, z, w] = quaternion;
-    this.#renderer.setPixelRatio(ratio);
-    this.#renderer.setSize(width, height, false);
+    const shape = `${width} ${height} ${ratio}`;
+    // A canvas that is given its size loses its picture and its memory, even where the size is the same.
+    if (shape !== this.#shape) {
+      this.#shape = shape;
+      this.#renderer.setPixelRatio(ratio);
+      this.#renderer.setSize(width, height, false);
+    }
     Object.assign(this.#camera, { fov, near, far, aspect: width / height });
     this.#camera.position.fromArray(position);
     this.#camera.quaternion.set(x, y, z, w);
     this.#camera.updateProjectionMatrix();
-    this.#hasPose = true;
   }
 
   /** Layers and colours hold for what comes later, too. */
@@ -166,7 +171,7 @@ export class Painter {
 
   #draw(): void {
     this.#pending = 0;
-    if (this.#hasPose) this.#renderer.render(this.#scene, this.#camera);
+    if (this.#shape !== '') this.#renderer.render(this.#scene, this.#camera);
   }
 
   #clear(): void {

@@ -31,8 +31,8 @@ export interface SceneContent {
 
 /** A long lens: near to a drawing, yet nearer walls still look nearer. Degrees. */
 const FIELD_OF_VIEW = 26;
-/** The points of a ceiling lie within this of it, m. */
-const CEILING_DEPTH = 0.2;
+/** The points of ceilings lie within this of the highest: suspended ones of corridors hang lower. m */
+const CEILING_DEPTH = 0.45;
 /** A double click halves the way to what was clicked; a key goes a quarter nearer or further. */
 const FOCUS = 0.5;
 const NEARER = 0.8;

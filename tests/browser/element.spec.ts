@@ -126,3 +126,17 @@ test('a removed element cancels its run; put back, it shows its plan again', asy
   expect(outcome).toMatchObject({ code: 'cancelled', isShown: true, state: 'ready' });
   expect(outcome.bytes).toBeGreaterThan(10);
 });
+
+test('a poster is shown until the first plan is there', async ({ page }) => {
+  const poster = page.locator('.poster');
+  await page.evaluate(() => {
+    const element = document.createElement('floor-plan');
+    element.setAttribute('poster', 'icon.svg');
+    document.body.append(element);
+  });
+  await expect(poster).toBeVisible();
+  await page.evaluate(async (csv) => {
+    await (document.querySelector('floor-plan') as FloorPlanElement).load(new File([csv], 'room.csv'));
+  }, roomCsv(0.1));
+  await expect(poster).toBeHidden();
+});

@@ -98,6 +98,32 @@ test('the sheet pans, zooms, and tells source coordinates', async ({ page }) => 
   await expect(bar).toHaveText(/[′″]/);
 });
 
+test('the model turns by keys and by its cube, and its layers switch', async ({ page }) => {
+  await openPlan(page);
+  const scene = page.getByTestId('scene-3d');
+  const picture = async () => (await scene.screenshot()).toString('base64');
+  await expect(scene.locator('canvas')).toBeVisible();
+  /** The picture once it stands still. */
+  const settled = async () => {
+    for (let before = '', now = await picture(); ; before = now, now = await picture()) {
+      if (before === now) return now;
+      await page.waitForTimeout(300);
+    }
+  };
+  const changes = async (act: () => Promise<void>) => {
+    const before = await settled();
+    await act();
+    await expect.poll(picture).not.toBe(before);
+  };
+  await changes(() => scene.press('Shift+ArrowLeft'));
+  await changes(() => scene.press('-'));
+  await changes(() => page.getByRole('button', { name: 'Look from the top' }).click());
+  const tools = page.getByRole('region', { name: 'Model' });
+  for (const layer of ['Points', 'Model', 'Grid']) {
+    await changes(() => tools.getByRole('button', { name: layer, exact: true }).click());
+  }
+});
+
 test('no task of a start or a load makes the page deaf', async ({ page }) => {
   await page.addInitScript(() => {
     const seen: number[] = [];

@@ -31,6 +31,8 @@ const TOLERANCE_SHARE = 0.02;
 const DEEPEST = 1_000;
 /** Strips in strips: a window in the back wall of a recess in a courtyard. */
 const MOST_STRIPS = 4;
+/** Cost of what lies behind a mouth that proved to be none: all of it is taken back at once. */
+const LOST = Number.POSITIVE_INFINITY;
 /** A mouth behind a mouth has a strip of its own where both its walls turn off by less than this: cosine of 45°. */
 const LEAST_COSINE = Math.SQRT1_2;
 
@@ -45,6 +47,13 @@ const LEAST_COSINE = Math.SQRT1_2;
 export function openOnTrial(opening: Opening, rules: OpeningRules, a: number, p: number): void {
   if (isCrack(opening, rules, a, p)) return;
   openMouth({ opening, rules }, { a, p, length: lengthOf(opening.hull, a), level: 1 }, null);
+}
+
+/** Whether a mouth no longer than a step along a wall, in the chain of pockets, has proved to lead into a hollow. */
+function isLost(pocket: Pocket | null, { supportLength }: OpeningRules): boolean {
+  for (let at = pocket; at !== null; at = at.outer)
+    if (at.length <= supportLength && isCavity(at)) return true;
+  return false;
 }
 
 /** Whether an edge no longer than a step along a wall leads so deep that it can be no recess: spares most trials. */
@@ -85,8 +94,8 @@ function openInner(trial: Trial, a: number, pocket: Pocket, level: number): numb
   const isOpen = p >= 0 && !isCrack(opening, rules, a, p) && fits(pocket, hull, p);
   if (!isOpen || isBlocked(hull, a, p, hull.next[a])) return leaveClosed(opening, rules, a, length);
   const mouth = { a, p, length, level };
-  const isMouth =
-    length <= rules.bridgeLimit && isDeep(opening, rules, a, p) && continuesWalls(hull, a, LEAST_COSINE);
+  const mayHaveStrip = length <= rules.bridgeLimit && pocket.level < MOST_STRIPS;
+  const isMouth = mayHaveStrip && isDeep(opening, rules, a, p) && continuesWalls(hull, a, LEAST_COSINE);
   return isMouth ? openMouth(trial, mouth, pocket) : openBehind(trial, mouth, pocket, pocket);
 }
 
@@ -107,8 +116,10 @@ function openBehind(trial: Trial, mouth: Mouth, pocket: Pocket, outer: Pocket | 
   takeIn(pocket, hull, p);
   insertInto(opening, rules, a, p);
   const [long, short] = lengthOf(hull, a) >= lengthOf(hull, p) ? [a, p] : [p, a];
-  let cost = openInner(trial, long, pocket, level + 1);
+  let cost = isLost(pocket, rules) ? LOST : openInner(trial, long, pocket, level + 1);
   if (cost <= allowed) cost += openInner(trial, short, pocket, level + 1);
+  // Whoever's strip is lost takes all of it back.
+  if (cost === LOST && isLost(outer, rules)) return LOST;
   const isHollow = isOwn && cost <= allowed && isCavity(pocket);
   if (cost <= allowed && !isHollow && !(isOwn && isWholeRoom(pocket, opening.area))) return cost;
   takeBack(opening, logged);

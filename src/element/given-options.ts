@@ -1,0 +1,62 @@
+import type { Options, ParamName } from '../core/params.ts';
+import { History } from './history.ts';
+
+/** The parameters a person has given, and the way back to those before. */
+export class GivenOptions {
+  readonly #history = new History<Partial<Options>>();
+  #now: Partial<Options> = {};
+  /** As they were before the slider under the hand moved. */
+  #before: Partial<Options> | null = null;
+
+  get now(): Partial<Options> {
+    return this.#now;
+  }
+
+  get canUndo(): boolean {
+    return this.#history.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return this.#history.canRedo;
+  }
+
+  /** Sets all, as one step that can be undone. */
+  replace(options: Partial<Options>): void {
+    this.#history.leave(this.#now);
+    this.#now = { ...options };
+  }
+
+  /** Sets or, where `value` is empty, forgets one parameter, without a step: what markup says is where a person begins. */
+  begin(name: ParamName, value: Partial<Options>): void {
+    const { [name]: _, ...others } = this.#now;
+    this.#now = { ...others, ...value };
+  }
+
+  /** @param isFinal false while a slider is on its way: a whole slide is one step */
+  change(change: Partial<Options>, isFinal: boolean): void {
+    this.#before ??= this.#now;
+    this.#now = { ...this.#now, ...change };
+    if (!isFinal) return;
+    if (!isEqual(this.#before, this.#now)) this.#history.leave(this.#before);
+    this.#before = null;
+  }
+
+  /** Forgets parameters, as one step. */
+  reset(names: readonly ParamName[]): void {
+    const kept = Object.entries(this.#now).filter(([name]) => !names.includes(name as ParamName));
+    this.replace(Object.fromEntries(kept));
+  }
+
+  undo(): void {
+    this.#now = this.#history.undo(this.#now);
+  }
+
+  redo(): void {
+    this.#now = this.#history.redo(this.#now);
+  }
+}
+
+function isEqual(a: Partial<Options>, b: Partial<Options>): boolean {
+  const text = (options: Partial<Options>) => JSON.stringify(Object.entries(options).sort());
+  return text(a) === text(b);
+}
