@@ -23,6 +23,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await page.waitForTimeout(2500);
         await take('model');
         await page.getByRole('button', { name: 'Steps' }).click();
+        await page.waitForTimeout(800);
         await take('steps');
         await page.getByRole('button', { name: 'Plan', exact: true }).click();
         await page.getByRole('button', { name: 'Steps' }).click();

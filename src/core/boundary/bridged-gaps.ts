@@ -8,8 +8,11 @@ import type { Opening, OpeningRules } from './opening.ts';
 import { findOpeningPoint } from './opening-point.ts';
 import { continuesWalls } from './wall-run.ts';
 
-/** A gap lies in a wall: the outline turns by less than this at its ends, not back as at a stray point. Cosine of 80°. */
-const LEAST_COSINE = 0.17;
+/**
+ * A gap lies between walls: the outline turns by less than this at its ends (a whole wall may be missing), not back
+ * as at a stray point. Cosine of 110°.
+ */
+const LEAST_COSINE = -0.34;
 /** Gaps told one by one in the warning; the rest are counted. */
 const TOLD = 3;
 

@@ -17,7 +17,8 @@ const SHARPEST = 0.7;
 const SHORTEST_LEG = 0.1;
 
 /**
- * The corner a gap took away: where the walls before and after ring edge k meet, when both are straight and the corner lies ahead of both, within `longestLeg` of each end.
+ * The corner a gap took away: where the walls before and after ring edge k meet, when both are straight and the
+ * corner lies ahead of both, within `longestLeg` of each end.
  *
  * @param ring counter-clockwise
  * @returns null when the gap is not at a corner

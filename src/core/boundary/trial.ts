@@ -23,7 +23,7 @@ import {
 } from './pocket.ts';
 import { continuesWalls } from './wall-run.ts';
 
-/** A recess may leave this share of its mouth's length unsupported, windows say. */
+/** A recess may leave this share of its mouth's length unsupported, windows say; an equal trade is no recess. */
 const UNSUPPORTED_SHARE = 0.95;
 /** Side tolerance of a pocket per metre of mouth. */
 const TOLERANCE_SHARE = 0.02;
@@ -41,8 +41,8 @@ const LEAST_COSINE = Math.SQRT1_2;
  *
  * Cost of an outline is the length of its edges no points support: those that stay longer than `supportLength`. Each
  * edge behind the mouth stays closed where that costs less than what opening it leads to, so a window in the side of
- * a recess is bridged; the mouth itself is opened only when the recess saves a fair share of the mouth's length,
- * fits a strip ({@link Pocket}), is no hollow wall and not the whole room. Otherwise it is noted as a bridge.
+ * a recess is bridged; the mouth itself is opened only when what lies behind costs less than the mouth, fits a strip
+ * ({@link Pocket}), is no hollow wall and not the whole room. Otherwise it is noted as a bridge.
  */
 export function openOnTrial(opening: Opening, rules: OpeningRules, a: number, p: number): void {
   if (isCrack(opening, rules, a, p)) return;
