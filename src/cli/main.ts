@@ -61,7 +61,7 @@ async function runOne(input: string, folder: string, command: Command, signal: A
   const session = new Session({ strokeTest: createStrokeTest(), breathe });
   const bar = progressBar(fileName(input));
   const start = performance.now();
-  const source = /^https?:/.test(input) ? urlSource(input, signal) : await nodeSource(input);
+  const source = /^https?:/.test(input) ? urlSource(input, signal) : await nodeSource(input, signal);
   try {
     const result = await session.load(source, command.options, { signal, onProgress: bar.show });
     const files = command.formats.flatMap((format) => session.write(format));

@@ -1,25 +1,46 @@
 import { open, stat } from 'node:fs/promises';
 import { basename } from 'node:path';
 import { FloorPlanError } from '../core/errors.ts';
-import { PIECE_BYTES } from '../read/blob-source.ts';
+import { blobSource, PIECE_BYTES } from '../read/blob-source.ts';
 import type { ByteSource } from '../read/source.ts';
 
-/** Reads a file under Node; a handle is open only while bytes are read. @throws input/unreadable */
-export async function nodeSource(path: string): Promise<ByteSource> {
+/** Of a pipe, which is kept whole in memory. */
+const MAX_PIPE_BYTES = 2 ** 31;
+
+/**
+ * Reads a file under Node; a handle is open only while bytes are read. A pipe gives its bytes once, so they are kept.
+ *
+ * @param signal ends the reading of a pipe
+ * @throws input/unreadable; for a pipe input/too-large, cancelled
+ */
+export async function nodeSource(path: string, signal?: AbortSignal): Promise<ByteSource> {
   const facts = await stat(path).catch((cause) => {
     throw unreadable(path, cause);
   });
   if (facts.isDirectory()) throw unreadable(path, new Error('it is a folder'));
+  if (facts.isFIFO()) return blobSource(await readPipe(path, signal), basename(path));
   return {
     name: basename(path),
-    // Pipes and devices tell no size.
+    // Devices tell no size.
     size: facts.isFile() ? facts.size : undefined,
     stream: () => readAll(path),
     slice: (begin, end) => readRange(path, begin, end),
   };
 }
 
-async function* readAll(path: string): AsyncGenerator<Uint8Array> {
+async function readPipe(path: string, signal?: AbortSignal): Promise<Blob> {
+  const pieces: Uint8Array<ArrayBuffer>[] = [];
+  let bytes = 0;
+  for await (const piece of readAll(path)) {
+    if (signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
+    bytes += piece.length;
+    if (bytes > MAX_PIPE_BYTES) throw pipeTooLong(path);
+    pieces.push(piece.slice());
+  }
+  return new Blob(pieces);
+}
+
+async function* readAll(path: string): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   const handle = await openHandle(path);
   try {
     while (true) {
@@ -66,4 +87,12 @@ function unreadable(path: string, cause: unknown): FloorPlanError {
     detail: { path },
     cause,
   });
+}
+
+function pipeTooLong(path: string): FloorPlanError {
+  return new FloorPlanError(
+    'input/too-large',
+    `${path}: expected at most ${MAX_PIPE_BYTES} bytes from a pipe, found more`,
+    { hint: 'Save them to a file and name that.', detail: { path } },
+  );
 }

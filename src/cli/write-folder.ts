@@ -1,5 +1,5 @@
-import { mkdir, rename, rm, writeFile } from 'node:fs/promises';
-import { join } from 'node:path';
+import { mkdir, rename, rm, stat, writeFile } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
 import { FloorPlanError } from '../core/errors.ts';
 
 /** A file's name within the folder and its content. */
@@ -16,7 +16,7 @@ export interface NamedContent {
 export async function writeFolder(folder: string, files: readonly NamedContent[]): Promise<void> {
   const temporary = (name: string) => join(folder, `.${name}.${process.pid}.part`);
   try {
-    await mkdir(folder, { recursive: true });
+    await makeFolder(folder);
     for (const { name, content } of files) await writeFile(temporary(name), content);
     for (const { name } of files) await rename(temporary(name), join(folder, name));
   } catch (cause) {
@@ -31,4 +31,22 @@ export async function writeFolder(folder: string, files: readonly NamedContent[]
       },
     );
   }
+}
+
+/** With the folders above it. Node's own `recursive` never returns where a folder answers ENOENT, as /proc does. */
+async function makeFolder(folder: string): Promise<void> {
+  try {
+    await mkdir(folder);
+  } catch (error) {
+    const parent = dirname(folder);
+    if (await isFolder(folder)) return;
+    if ((error as NodeJS.ErrnoException).code !== 'ENOENT' || parent === folder) throw error;
+    await makeFolder(parent);
+    await mkdir(folder);
+  }
+}
+
+async function isFolder(path: string): Promise<boolean> {
+  const facts = await stat(path).catch(() => null);
+  return facts?.isDirectory() ?? false;
 }

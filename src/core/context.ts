@@ -22,4 +22,6 @@ export interface StageContext {
   progress(share: number): void;
   /** The real Canvas call: OffscreenCanvas in browser and worker, @napi-rs/canvas in Node. */
   readonly strokeTest: StrokeTest;
+  /** A plan point, m, in words a person finds in the source: its coordinates and unit. */
+  placeInSource?(x: number, y: number): string;
 }

@@ -13,6 +13,7 @@ import { STAGE_NAMES, STAGES, type StageName } from './stages.ts';
 import type {
   Boundary,
   FloorPlan,
+  Frame,
   Level,
   PointCloud,
   Polygon,
@@ -201,7 +202,8 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
   const boundary = await run.stage(
     'boundary',
     options,
-    (context) => findBoundary(slice, options, context),
+    (context) =>
+      findBoundary(slice, options, { ...context, placeInSource: (x, y) => placeInSource(cloud.frame, x, y) }),
     ({ polygons }) => count(vertexCount(polygons), 'vertex', 'vertices'),
   );
   const regularised = await run.stage(
@@ -243,6 +245,13 @@ export function vertexCount(polygons: readonly Polygon[]): number {
     for (const hole of holes) vertices += hole.length / 2;
   }
   return vertices;
+}
+
+/** Seen from above, to about a centimetre: (691823.12, 5336027.50) m. */
+function placeInSource({ planOrigin, metresPerUnit, unit }: Frame, x: number, y: number): string {
+  const digits = Math.max(0, 2 + Math.ceil(Math.log10(metresPerUnit)));
+  const [sourceX, sourceY] = [planOrigin[0] + x / metresPerUnit, planOrigin[1] + y / metresPerUnit];
+  return `(${sourceX.toFixed(digits)}, ${sourceY.toFixed(digits)}) ${unit}`;
 }
 
 function stageKey(name: StageName, options: Options): string {

@@ -31,22 +31,24 @@ interface Line {
 /**
  * Finds separator, header and columns from the first bytes of a file; null where they hold no two columns of numbers.
  *
- * The separator is the one that makes the most numbers. Columns are found by name where a header, or a comment in its
- * place, names two coordinates, else by position. Two columns are a slice, whatever their names.
+ * The separator is the one that makes the most numbers. A header may take several lines: a title, names, units, the
+ * number of points. Columns are found by name where one of them, or a comment in their place, names two coordinates,
+ * else by position. Two columns are a slice, whatever their names.
  */
 export function layOutCsv(head: Uint8Array): CsvLayout | null {
   const { lines, comment } = linesOf(head);
   const sample = lines.slice(lines.length > 1 ? 1 : 0);
   const separator = bestSeparator(sample);
   if (separator === null) return null;
-  const first = splitRow(lines[0].text, separator);
-  const rows = sample.map(({ text }) => splitRow(text, separator));
-  const width = usualWidth([first, ...rows]);
-  const hasHeader = lines.length > 1 && isHeader(first);
-  const names = hasHeader ? first : comment.split(/[\s,;]+/);
-  const targets = columnsByName(names, width) ?? columnsByPosition(rows, width);
+  const table = lines.map(({ text }) => splitRow(text, separator));
+  const width = usualWidth(table);
+  const headerLines = lines.length > 1 ? table.findIndex((row) => !isHeader(row)) : 0;
+  const rows = table.slice(headerLines);
+  const names = [comment.split(/[\s,;]+/), ...table.slice(0, headerLines)];
+  const targets =
+    firstFound(names, (header) => columnsByName(header, width)) ?? columnsByPosition(rows, width);
   const used = targets.map((field, column) => (field > Z && !isNumeric(rows, column) ? SKIP : field));
-  const start = lines[hasHeader ? 1 : 0];
+  const start = lines[headerLines];
   const good = rows.filter((row) => used.every((field, column) => field < 0 || isNumber(row[column])));
   return {
     separator,
@@ -54,7 +56,7 @@ export function layOutCsv(head: Uint8Array): CsvLayout | null {
     begin: start.begin,
     line: start.number,
     isSlice: !used.includes(Z),
-    isSure: 2 * good.length >= rows.length,
+    isSure: 2 * good.length >= sample.length,
   };
 }
 
@@ -107,6 +109,14 @@ function usualWidth(rows: readonly string[][]): number {
   return votes.reduce((best, count, width) => (count >= (votes[best] ?? 0) ? width : best), 0);
 }
 
+function firstFound<T, R>(values: readonly T[], find: (value: T) => R | null): R | null {
+  for (const value of values) {
+    const found = find(value);
+    if (found !== null) return found;
+  }
+  return null;
+}
+
 /** Text, names of coordinates, or the lone number of points that some tables begin with. */
 function isHeader(fields: readonly string[]): boolean {
   const numbers = fields.filter((field) => isNumber(field)).length;
@@ -135,8 +145,13 @@ function columnsByName(names: readonly string[], width: number): number[] | null
   return targets.map((field) => (field >= 0 && field <= Z ? next++ : field));
 }
 
-/** x y [z], then the usual orders: r g b [i], i r g b, or i alone. */
-function columnsByPosition(rows: readonly string[][], width: number): number[] {
+/** [row number,] x y [z], then the usual orders: r g b [i], i r g b, or i alone. */
+function columnsByPosition(rows: readonly string[][], usual: number): number[] {
+  if (hasRowNumbers(rows)) {
+    const others = rows.map((row) => row.slice(1));
+    return [SKIP, ...columnsByPosition(others, usual - 1)];
+  }
+  const width = filledWidth(rows, usual);
   const isColour = (column: number) =>
     [0, 1, 2].every((channel) => rows.every((row) => isByte(row[column + channel])));
   const targets = new Array<number>(width).fill(SKIP);
@@ -148,6 +163,25 @@ function columnsByPosition(rows: readonly string[][], width: number): number[] {
   const isIntensity = width === 4 || colourAt !== undefined;
   if (isIntensity && intensityAt < width) targets[intensityAt] = INTENSITY;
   return targets;
+}
+
+/** A first column that counts up by one, before three that do not hold whole numbers: coordinates on a grid would. */
+function hasRowNumbers(rows: readonly string[][]): boolean {
+  const first = Number(rows[0][0]);
+  const isWhole = (field: string | undefined) => /^\s*[+-]?\d+\s*$/.test(field ?? '');
+  return (
+    rows.length > 2 &&
+    rows.every((row, index) => isWhole(row[0]) && Number(row[0]) === first + index) &&
+    [1, 2, 3].every((column) => isNumeric(rows, column) && !rows.every((row) => isWhole(row[column])))
+  );
+}
+
+/** Columns without the empty ones that separators after the last number make. */
+function filledWidth(rows: readonly string[][], width: number): number {
+  const isEmpty = (column: number) => rows.every((row) => (row[column] ?? '').trim() === '');
+  let filled = width;
+  while (filled > 2 && isEmpty(filled - 1)) filled--;
+  return filled;
 }
 
 function isByte(field: string | undefined): boolean {

@@ -2,7 +2,7 @@ import { FIELDS } from './point-buffer.ts';
 
 /** Names of columns and properties met in the wild, simplified; the best first. */
 const NAMES: Record<(typeof FIELDS)[number], readonly string[]> = {
-  x: ['x', 'easting', 'east', 'xcoord', 'xcoordinate', 'coordx', 'posx', 'positionx', 'pointsx', 'xm', 'px'],
+  x: ['x', 'easting', 'east', 'xcoord', 'xcoordinate', 'coordx', 'posx', 'positionx', 'pointsx', 'xm', 'px', 'points0'],
   y: [
     'y',
     'northing',
@@ -15,10 +15,11 @@ const NAMES: Record<(typeof FIELDS)[number], readonly string[]> = {
     'pointsy',
     'ym',
     'py',
+    'points1',
   ],
   z: [
     ...['z', 'elevation', 'altitude', 'height', 'zcoord', 'zcoordinate'],
-    ...['coordz', 'posz', 'positionz', 'pointsz', 'zm', 'pz'],
+    ...['coordz', 'posz', 'positionz', 'pointsz', 'zm', 'pz', 'points2'],
   ],
   red: ['red', 'r', 'diffusered', 'colorr', 'colourr', 'rf'],
   green: ['green', 'g', 'diffusegreen', 'colorg', 'colourg', 'gf'],

@@ -91,10 +91,13 @@ const NOT_FINITE = /^([+-]?(nan(\(\w*\))?|inf(inity)?|1[.,]#\w+)|null|none|n\/?a
 /**
  * The number a whole field spells: quotes and blanks around it are dropped, NaN stands for every spelling of a number
  * that is not finite or is missing, undefined for any other text.
+ *
+ * @param hasComma whether a comma may stand for the decimal point; in quotes it always may, for it separates nothing there
  */
 export function parseNumber(field: string, hasComma: boolean): number | undefined {
   const text = unquote(field);
-  if (NUMBER.test(text) && (hasComma || !text.includes(','))) return Number(text.replace(',', '.'));
+  const mayComma = hasComma || /^\s*["']/.test(field);
+  if (NUMBER.test(text) && (mayComma || !text.includes(','))) return Number(text.replace(',', '.'));
   return NOT_FINITE.test(text) ? Number.NaN : undefined;
 }
 

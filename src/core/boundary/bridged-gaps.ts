@@ -61,13 +61,13 @@ export function closeGaps(
   return { ring, gaps };
 }
 
-/** Tells of bridged gaps: `boundary/gap-bridged`, places and widths in metres, plan frame. */
+/** Tells of bridged gaps: `boundary/gap-bridged`, widths in metres, places as a person finds them in the source. */
 export function warnOfGaps(gaps: readonly Gap[], context: StageContext): void {
   if (gaps.length === 0) return;
   const told = gaps.slice(0, TOLD).map(({ from, to, width }) => {
-    const x = (from[0] + to[0]) / 2;
-    const y = (from[1] + to[1]) / 2;
-    return `${width.toFixed(2)} m wide at (${x.toFixed(2)}, ${y.toFixed(2)})`;
+    const [x, y] = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
+    const place = context.placeInSource?.(x, y) ?? `(${x.toFixed(2)}, ${y.toFixed(2)}) m`;
+    return `${width.toFixed(2)} m wide at ${place}`;
   });
   const more = gaps.length > TOLD ? `, and ${gaps.length - TOLD} narrower` : '';
   const count = gaps.length === 1 ? 'a gap' : `${gaps.length} gaps`;

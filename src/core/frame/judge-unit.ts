@@ -20,6 +20,8 @@ const STOREY_HEIGHT = { least: 2, most: 6 };
 const EXTENT = { least: 1, most: 1000 };
 /** Longest side expected where no storey height tells more, m: a room to a hall. */
 const USUAL_EXTENT = { least: 2, most: 200 };
+/** Longest side of a canvas that a slice is drawn on, px: a 4K screen. */
+const MAX_CANVAS = 4096;
 
 /** The unit of a scan's coordinates. */
 export interface JudgedUnit {
@@ -62,14 +64,16 @@ export function judgeUnit(scan: UnitScan, options: UnitOptions): JudgedUnit {
 
 /**
  * Ready slices are drawn in canvas pixels ([Stojanovic19] §4), unless that would make a room smaller than a cupboard: then
- * somebody has saved metres.
+ * somebody has saved metres; or the canvas larger than any screen: then millimetres.
  */
 export function judgeSliceUnit({ positions }: UnitScan, options: UnitOptions): JudgedUnit {
   const pixels = stated('px', options, 'ready slices are drawn in canvas pixels');
   const extent = largestExtent(trimmedBounds(positions));
-  if (extent * pixels.metresPerUnit >= EXTENT.least || !isWithin(extent, USUAL_EXTENT)) return pixels;
-  const reason = `The unit is taken for m: in canvas pixels the slice would be ${format(extent * pixels.metresPerUnit)} m wide.`;
-  return { unit: 'm', metresPerUnit: 1, reason, isGuess: true };
+  const metres = extent * pixels.metresPerUnit;
+  const unit = metres < EXTENT.least ? 'm' : extent > MAX_CANVAS ? 'mm' : 'px';
+  if (unit === 'px' || !isWithin(extent * METRES[unit], USUAL_EXTENT)) return pixels;
+  const reason = `The unit is taken for ${unit}: in canvas pixels the slice would be ${format(metres)} m wide.`;
+  return { unit, metresPerUnit: METRES[unit], reason, isGuess: true };
 }
 
 /**

@@ -54,7 +54,8 @@ it('coarsens to what the coarse cells would have kept', () => {
 
 it('ends at the same cells and points for every order under a budget', () => {
   fc.assert(
-    fc.property(shuffled, power, fc.integer({ min: 5, max: 100 }), ([list, other], exponent, budget) => {
+    // The lattice has a corner at zero, so points around it never meet in fewer than eight cells.
+    fc.property(shuffled, power, fc.integer({ min: 8, max: 100 }), ([list, other], exponent, budget) => {
       const [a, b] = [thin(list, 2 ** exponent, budget), thin(other, 2 ** exponent, budget, 7)];
       expect(a.cell).toBe(b.cell);
       expect(a.count).toBeLessThanOrEqual(budget);
