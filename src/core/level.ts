@@ -175,7 +175,7 @@ function pick(
 }
 
 function emptyLevel([low, high]: readonly [number, number], points: number): FloorPlanError {
-  const band = `${low.toFixed(2)} to ${high.toFixed(2)} m above the floor`;
+  const band = `${Number(low.toPrecision(3))} to ${Number(high.toPrecision(3))} m above the floor`;
   return new FloorPlanError(
     'input/too-few-points',
     `level: expected at least 3 points from ${band}, found ${points}`,

@@ -78,9 +78,9 @@ function expectation(row: ParamRow, value: unknown): string | null {
   switch (row.kind) {
     case 'auto-number':
       if (value === 'auto') return null;
-      return inRange(row, value) ? null : `auto or a number from ${row.min} to ${row.max}`;
+      return inRange(row, value) ? null : `auto or ${rangeOf(row)}`;
     case 'number':
-      return inRange(row, value) ? null : `a number from ${row.min} to ${row.max}`;
+      return inRange(row, value) ? null : rangeOf(row);
     case 'flag':
       return typeof value === 'boolean' ? null : 'true or false';
     case 'choice':
@@ -97,13 +97,20 @@ function expectation(row: ParamRow, value: unknown): string | null {
 }
 
 function inRange(row: NumberRow | AutoNumberRow, value: unknown): boolean {
-  const isWhole = row.step % 1 === 0;
   return (
     typeof value === 'number' &&
     value >= row.min &&
     value <= row.max &&
-    (!isWhole || row.unit === 'px/m' || Number.isInteger(value))
+    (!isWhole(row) || Number.isInteger(value))
   );
+}
+
+function rangeOf(row: NumberRow | AutoNumberRow): string {
+  return `a ${isWhole(row) ? 'whole ' : ''}number from ${row.min} to ${row.max}`;
+}
+
+function isWhole({ step, unit }: NumberRow | AutoNumberRow): boolean {
+  return step % 1 === 0 && unit !== 'px/m';
 }
 
 function isLevelChoice(value: unknown): boolean {

@@ -2,7 +2,20 @@ import { FIELDS } from './point-buffer.ts';
 
 /** Names of columns and properties met in the wild, simplified; the best first. */
 const NAMES: Record<(typeof FIELDS)[number], readonly string[]> = {
-  x: ['x', 'easting', 'east', 'xcoord', 'xcoordinate', 'coordx', 'posx', 'positionx', 'pointsx', 'xm', 'px', 'points0'],
+  x: [
+    'x',
+    'easting',
+    'east',
+    'xcoord',
+    'xcoordinate',
+    'coordx',
+    'posx',
+    'positionx',
+    'pointsx',
+    'xm',
+    'px',
+    'points0',
+  ],
   y: [
     'y',
     'northing',

@@ -129,4 +129,10 @@ describe('bad words', () => {
     expect(stderr).toMatch(/environment\/file-system/);
     expect(exitCode).toBe(5);
   });
+
+  it.skipIf(process.platform !== 'linux')('says so where folders cannot be made at all', async () => {
+    const { exitCode, stderr } = await grundriss(sample, '-o', '/proc/plan/below');
+    expect(stderr).toMatch(/environment\/file-system/);
+    expect(exitCode).toBe(5);
+  });
 });

@@ -230,6 +230,12 @@ describe('clouds without height', () => {
     expect(codes).toEqual(['frame/unit-guessed']);
   });
 
+  test('a slice larger than any canvas is taken for millimetres, with a warning', () => {
+    const { cloud, codes } = run(makeSliceScan(SLICE.map((value) => value * 10)));
+    expect(cloud.frame).toMatchObject({ unit: 'mm', metresPerUnit: 0.001 });
+    expect(codes).toEqual(['frame/unit-guessed']);
+  });
+
   test.each(['x', 'y', 'z'] as const)('a cloud flat along %s is seen along it', (up) => {
     const flat = ROOM.map((value, i) => (i % 3 === 2 ? 1.5 : value));
     const { cloud, codes } = run(makeScan(transform(flat, transpose(uprightRotation(up)))));

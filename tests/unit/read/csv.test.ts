@@ -19,6 +19,7 @@ describe('separators', () => {
     ['blanks, decimal comma', '1,5 2,0 -3,0\n4,0 5,25 6\n'],
     ['quotes', '"1.5","2","-3"\n"4",5.25,"6"\n'],
     ['quotes, decimal comma', '"1,5";"2";"-3"\n"4";"5,25";"6"\n'],
+    ['comma, decimal comma in quotes', '"1,5","2","-3"\n4,"5,25","6"\n'],
     ['scientific', '1.5E0,+20e-1,-.3e+1\n4.,0525e-2,6\n'],
     ['CRLF', '1.5,2,-3\r\n4,5.25,6\r\n'],
     ['CR', '1.5,2,-3\r4,5.25,6\r'],
@@ -45,9 +46,41 @@ describe('columns', () => {
     ['id,z,label,y,x', '7,-3,wall,2,1.5\n8,6,floor,5.25,4'],
     ['foo,bar,baz', '1.5,2,-3\n4,5.25,6'],
     ['z,y,x,height', '-3,2,1.5,99\n6,5.25,4,98'],
+    ['"t","Points:0","Points:1","Points:2"', '7,1.5,2,-3\n8,4,5.25,6'],
+    ['z,y,x\nm,m,m', '-3,2,1.5\n6,5.25,4'],
+    ['My flat, first floor\nExported today\n\nz;y;x', '-3;2;1.5\n6;5.25;4'],
+    ['//z y x\n2', '-3 2 1.5\n6 5.25 4'],
   ])('%s', async (header, rows) => {
     expect((await read(`${header}\n${rows}\n`)).xyz).toEqual(TWO);
   });
+
+  it('passes over row numbers', async () => {
+    const rows = [
+      [1.5, 2, -3],
+      [4, 5.25, 6],
+      [7, 8, 9.5],
+    ];
+    const numbered = rows.map((row, i) => [i + 17, ...row].join(',')).join('\n');
+    expect((await read(numbered)).xyz).toEqual(rows);
+  });
+
+  it('takes coordinates on a grid for no row numbers', async () => {
+    const rows = [0, 1, 2, 3].map((x) => [x, 4, 0.5]);
+    expect((await read(rows.map((row) => [...row, 0.25].join(' ')).join('\n'))).xyz).toEqual(rows);
+  });
+
+  it.each(['1.5,2,\n4,5.25,\n', 'x,z,\n1.5,2,\n4,5.25,\n', '1.5;2;;;\n4;5.25;;;'])(
+    'counts no empty columns at the end: %j',
+    async (text) => {
+      expect(await read(text)).toMatchObject({
+        isSlice: true,
+        xyz: [
+          [1.5, 2, 0],
+          [4, 5.25, 0],
+        ],
+      });
+    },
+  );
 
   it('finds colour, intensity and class by name', async () => {
     const text = 'b,g,r,x,y,z,Intensity,class\n3,2,1,10,20,30,0.5,6\n6,5,4,11,21,31,0.25,2\n';

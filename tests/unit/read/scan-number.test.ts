@@ -52,6 +52,7 @@ describe('parseNumber', () => {
   it('drops quotes and blanks', () => {
     expect(parseNumber(' " 1.5 " ', false)).toBe(1.5);
     expect(parseNumber("'2,5'", true)).toBe(2.5);
+    expect(parseNumber('"2,5"', false)).toBe(2.5);
   });
 
   it('tells what is not finite from what is no number', () => {

@@ -1,4 +1,6 @@
+import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { writeFile } from 'node:fs/promises';
 import { createServer, type RequestListener, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
@@ -62,6 +64,30 @@ describe('nodeSource', () => {
   it('says what it cannot read', async () => {
     await expect(nodeSource(join(folder, 'missing.ply'))).rejects.toMatchObject({ code: 'input/unreadable' });
     await expect(nodeSource(folder)).rejects.toThrow('it is a folder');
+  });
+
+  describe.skipIf(process.platform === 'win32')('of a pipe', () => {
+    const pipe = join(folder, 'pipe');
+    const fill = () => {
+      execFileSync('mkfifo', ['-m', '600', pipe]);
+      return writeFile(pipe, CONTENT);
+    };
+    afterEach(() => rmSync(pipe));
+
+    it('keeps what the pipe gives once', async () => {
+      const written = fill();
+      const source = await nodeSource(pipe);
+      await written;
+      expect(source).toMatchObject({ name: 'pipe', size: CONTENT.length });
+      await expectContent(source);
+      await expectContent(source);
+    });
+
+    it('stops when cancelled', async () => {
+      const written = fill().catch(() => undefined);
+      await expect(nodeSource(pipe, AbortSignal.abort())).rejects.toMatchObject({ code: 'cancelled' });
+      await written;
+    });
   });
 });
 
