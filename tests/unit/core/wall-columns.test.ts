@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { chooseLevel } from '../../../src/core/level.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
 import type { PointCloud, Warning } from '../../../src/core/types.ts';
-import { keepWallColumns } from '../../../src/core/wall-columns.ts';
+import { findWallPoints } from '../../../src/core/wall-columns.ts';
 
 /** A wall along x at y = 0 up to `top`, and a window's reveal behind it from 0.9 to 2.1 m, points 2 cm apart. */
 function wallWithReveal(top: number): { cloud: PointCloud; kept: Uint32Array } {
@@ -45,21 +45,31 @@ function standing(top: number, wallReach: number) {
   };
   const options = resolveOptions({ level: '1:2', wallReach });
   const level = chooseLevel(cloud, kept, options, context);
-  const left = keepWallColumns(cloud, kept, level, options, context);
-  const deepest = Math.max(...[...left].map((i) => cloud.positions[3 * i + 1]));
-  return { share: left.length / level.indices.length, deepest, codes: warnings.map(({ code }) => code) };
+  const { indices, band } = findWallPoints(cloud, kept, level, options, context);
+  const inLevel = indices.filter((i) => cloud.positions[3 * i + 2] < 2);
+  const deepest = Math.max(...[...indices].map((i) => cloud.positions[3 * i + 1]));
+  const share = inLevel.length / level.indices.length;
+  return {
+    share,
+    deepest,
+    lintel: indices.length - inLevel.length,
+    top: band[1],
+    codes: warnings.map(({ code }) => code),
+  };
 }
 
-describe('keepWallColumns', () => {
+describe('findWallPoints', () => {
   it('keeps the wall, which goes on above the level, and drops the reveal, which ends at its lintel', () => {
-    const { share, deepest, codes } = standing(2.8, 0.6);
-    expect(share).toBeGreaterThan(0.9);
+    const { share, deepest, lintel, top, codes } = standing(2.8, 0.6);
+    expect(share).toBeGreaterThan(0.7);
+    expect(lintel).toBeGreaterThan(5000);
+    expect(top).toBeCloseTo(2.7, 5);
     expect(deepest).toBeLessThanOrEqual(0.06);
     expect(codes).toEqual([]);
   });
 
   it('keeps all where it is switched off', () => {
-    expect(standing(2.8, 0)).toMatchObject({ share: 1 });
+    expect(standing(2.8, 0)).toMatchObject({ share: 1, lintel: 0, top: 2 });
   });
 
   it('keeps all, with a warning, where nothing was scanned above', () => {
