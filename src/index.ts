@@ -4,8 +4,9 @@
  * @module
  */
 
+export { canvasStrokeTest, type StrokeContext } from './core/canvas-stroke.ts';
 export type { StrokeTest } from './core/context.ts';
-export { FloorPlanError } from './core/errors.ts';
+export { type ErrorCode, FloorPlanError } from './core/errors.ts';
 export { parseParam, resolveOptions } from './core/options.ts';
 export {
   kebabCase,
@@ -15,7 +16,7 @@ export {
   type ParamName,
   type ParamRow,
 } from './core/params.ts';
-export type { PipelineHooks, Progress, StageReport } from './core/pipeline.ts';
+export type { PipelineHooks, Progress, StageReport } from './core/pipeline-run.ts';
 export { STAGE_NAMES, STAGES, type StageName } from './core/stages.ts';
 export type * from './core/types.ts';
 export { blobSource } from './read/blob-source.ts';
@@ -26,4 +27,5 @@ export { makeReport, type Report } from './session/report.ts';
 export type { RunResult } from './session/result.ts';
 export { Session, type SessionControl } from './session/session.ts';
 export { WRITE_FORMATS } from './write/formats.ts';
+export { parsePlanJson } from './write/plan-json.ts';
 export type { WrittenFile } from './write/plan-writer.ts';

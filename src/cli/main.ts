@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 import { join } from 'node:path';
 import { FloorPlanError, type PlainError, toPlainError } from '../core/errors.ts';
-import type { Progress } from '../core/pipeline.ts';
+import type { Progress } from '../core/pipeline-run.ts';
 import { STAGES } from '../core/stages.ts';
 import { urlSource } from '../read/url-source.ts';
 import { makeReport, type Report } from '../session/report.ts';
@@ -16,7 +16,7 @@ declare const GRUNDRISS_VERSION: string;
 
 process.exitCode = await main(process.argv.slice(2));
 
-/** @returns the exit code of `design contract`: 0 done, 2 options, 3 input, 4 no plan, 5 environment, 130, 70 */
+/** @returns the exit code: 0 done, 2 options, 3 input, 4 no plan, 5 environment, 130, 70 */
 async function main(words: readonly string[]): Promise<number> {
   const controller = new AbortController();
   process.once('SIGINT', () => controller.abort());

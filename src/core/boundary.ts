@@ -36,7 +36,7 @@ const LEAST_FILL = 0.25;
  */
 export function findBoundary(slice: Slice, options: Options, context: StageContext): Boundary {
   checkFinite(slice.xy);
-  const points = distinctPoints(slice.xy).xy;
+  const points = distinctPoints(slice.xy);
   checkSpread(points);
   const spacing = slice.spacing > 0 ? slice.spacing : meanSpacing(points);
   const plain = { method: options.boundary, openingLength: 0, gaps: [] };

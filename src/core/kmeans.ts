@@ -50,7 +50,7 @@ export function clusterPoints(xy: Float64Array, k: number, seed: number): Cluste
 /** x, y a centre, from left to right. */
 function findCentres(xy: Float64Array, k: number, seed: number): Float64Array {
   // In lexicographic order, so that the order given does not steer the start.
-  const distinct = distinctPoints(xy).xy;
+  const distinct = distinctPoints(xy);
   const points = distinct.length / 2;
   if (points <= k) return distinct;
   const stride = Math.ceil(points / SAMPLE);

@@ -1,155 +1,30 @@
 import { findBoundary } from './boundary.ts';
-import type { StageContext, StrokeTest } from './context.ts';
-import { FloorPlanError } from './errors.ts';
 import { orient } from './frame.ts';
+import { vertexCount } from './geometry/rings.ts';
 import { chooseLevel } from './level.ts';
 import { removeOutliers } from './outliers.ts';
-import { type Options, PARAM_NAMES, PARAMS } from './params.ts';
+import type { Options } from './params.ts';
+import type { PipelineRun } from './pipeline-run.ts';
 import { makePlan } from './plan.ts';
 import { regulariseBoundary } from './regularise.ts';
 import { findSecondary } from './secondary.ts';
 import { makeSlice } from './slice.ts';
-import { STAGE_NAMES, STAGES, type StageName } from './stages.ts';
+import { sourceCoordinates } from './source-coordinates.ts';
 import type {
   Boundary,
   FloorPlan,
   Frame,
   Level,
   PointCloud,
-  Polygon,
   RegularisedBoundary,
   Scan,
   SecondaryResult,
   Slice,
-  Warning,
 } from './types.ts';
 import { findWallPoints } from './wall-columns.ts';
 
-/** Where a run stands. */
-export interface Progress {
-  readonly stage: StageName;
-  /** Share of the whole run, 0 to 1, never falling. */
-  readonly share: number;
-}
-
-/** One stage of a run, for the app's rail and the report. */
-export interface StageReport {
-  readonly name: StageName;
-  readonly ms: number;
-  /** Whether the result came from the cache. */
-  readonly isCached: boolean;
-  /** What came out, in words: "380,344 points", "24 vertices". */
-  readonly outcome: string;
-}
-
-/** What an environment alone can do, for a whole run. */
-export interface PipelineHooks {
-  /** Milliseconds from any start. */
-  now(): number;
-  readonly strokeTest: StrokeTest;
-  /** Called between stages: lets an environment see messages. */
-  breathe?(): Promise<void>;
-}
-
-export interface RunControl {
-  onProgress?(progress: Progress): void;
-  readonly signal?: AbortSignalLike;
-}
-
-/** The part of an AbortSignal that core needs; core knows no DOM. */
-export interface AbortSignalLike {
-  readonly aborted: boolean;
-}
-
-interface CachedStage {
-  readonly key: string;
-  readonly output: unknown;
-  readonly warnings: readonly Warning[];
-  readonly outcome: string;
-}
-
-/** The last result of every stage, so that a changed parameter runs again from its stage only. */
-export class StageCache {
-  readonly #stages = new Map<StageName, CachedStage>();
-
-  get(name: StageName, key: string): CachedStage | undefined {
-    const cached = this.#stages.get(name);
-    return cached?.key === key ? cached : undefined;
-  }
-
-  set(name: StageName, cached: CachedStage): void {
-    this.#stages.set(name, cached);
-  }
-}
-
-/** One pass through {@link STAGES} with one set of options. */
-export class PipelineRun {
-  readonly stages: StageReport[] = [];
-  readonly warnings: Warning[] = [];
-  readonly #cache: StageCache;
-  readonly #hooks: PipelineHooks;
-  readonly #control: RunControl;
-  #key = '';
-
-  constructor(cache: StageCache, hooks: PipelineHooks, control: RunControl) {
-    this.#cache = cache;
-    this.#hooks = hooks;
-    this.#control = control;
-  }
-
-  /**
-   * Runs a stage, or takes its result from the cache when neither its parameters nor any stage before it changed.
-   *
-   * @param outcome what came out, in words, for the rail
-   * @throws cancelled, and whatever `work` throws
-   */
-  async stage<T>(
-    name: StageName,
-    options: Options,
-    work: (context: StageContext) => T | Promise<T>,
-    outcome: (output: T) => string,
-  ): Promise<T> {
-    this.#key = `${this.#key}\n${stageKey(name, options)}`;
-    const cached = this.#cache.get(name, this.#key);
-    if (cached) {
-      this.warnings.push(...cached.warnings);
-      this.stages.push({ name, ms: 0, isCached: true, outcome: cached.outcome });
-      return cached.output as T;
-    }
-    await this.#hooks.breathe?.();
-    this.throwIfCancelled();
-    this.progress(name, 0);
-    const warnings: Warning[] = [];
-    const start = this.#hooks.now();
-    const output = await work({
-      warn: (warning) => warnings.push(warning),
-      progress: (share) => this.progress(name, share),
-      strokeTest: this.#hooks.strokeTest,
-    });
-    this.throwIfCancelled();
-    const ms = this.#hooks.now() - start;
-    const words = outcome(output);
-    this.#cache.set(name, { key: this.#key, output, warnings, outcome: words });
-    this.warnings.push(...warnings);
-    this.stages.push({ name, ms, isCached: false, outcome: words });
-    this.progress(name, 1);
-    return output;
-  }
-
-  /** @throws cancelled */
-  throwIfCancelled(): void {
-    if (this.#control.signal?.aborted) throw new FloorPlanError('cancelled', 'The run was cancelled.');
-  }
-
-  progress(name: StageName, share: number): void {
-    let before = 0;
-    for (const stage of STAGE_NAMES) {
-      if (stage === name) break;
-      before += STAGES[stage].share;
-    }
-    this.#control.onProgress?.({ stage: name, share: before + STAGES[name].share * Math.min(1, share) });
-  }
-}
+/** Places told to a person, m: a centimetre finds any gap. */
+const TOLD_PRECISION = 0.01;
 
 /** What the stages from `frame` to `plan` make of a scan. */
 export interface PlanResult {
@@ -222,14 +97,8 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     'plan',
     options,
     (context) => {
-      const made: Warning[] = [];
-      const warn = (warning: Warning) => {
-        made.push(warning);
-        context.warn(warning);
-      };
       const parts = { source: scan.facts, cloud, kept, boundary, regularised, secondary, options };
-      const draft = makePlan(parts, { ...context, warn });
-      return { ...draft, warnings: [...run.warnings, ...made] };
+      return { ...makePlan(parts, context), warnings: [...run.warnings] };
     },
     ({ storeys }) => count(storeys.length, 'storey'),
   );
@@ -237,26 +106,10 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
   return { cloud, outliers: total - kept.length, levels, slice, boundary, regularised, secondary, plan };
 }
 
-/** Vertices of all rings. */
-export function vertexCount(polygons: readonly Polygon[]): number {
-  let vertices = 0;
-  for (const { outer, holes } of polygons) {
-    vertices += outer.length / 2;
-    for (const hole of holes) vertices += hole.length / 2;
-  }
-  return vertices;
-}
-
-/** Seen from above, to about a centimetre: (691823.12, 5336027.50) m. */
-function placeInSource({ planOrigin, metresPerUnit, unit }: Frame, x: number, y: number): string {
-  const digits = Math.max(0, 2 + Math.ceil(Math.log10(metresPerUnit)));
-  const [sourceX, sourceY] = [planOrigin[0] + x / metresPerUnit, planOrigin[1] + y / metresPerUnit];
-  return `(${sourceX.toFixed(digits)}, ${sourceY.toFixed(digits)}) ${unit}`;
-}
-
-function stageKey(name: StageName, options: Options): string {
-  const values = PARAM_NAMES.filter((param) => PARAMS[param].stage === name && param !== 'preset');
-  return `${name} ${values.map((param) => String(options[param])).join(' ')}`;
+/** Seen from above: (691823.12, 5336027.50) m. */
+function placeInSource(frame: Frame, x: number, y: number): string {
+  const to = sourceCoordinates(frame, TOLD_PRECISION);
+  return `(${to.x(x).toFixed(to.digits)}, ${to.y(y).toFixed(to.digits)}) ${frame.unit}`;
 }
 
 function count(n: number, singular: string, plural = `${singular}s`): string {

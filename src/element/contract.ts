@@ -1,5 +1,5 @@
 import { kebabCase, PARAM_NAMES, type ParamName } from '../core/params.ts';
-import type { Progress } from '../core/pipeline.ts';
+import type { Progress } from '../core/pipeline-run.ts';
 import type { FloorPlan } from '../core/types.ts';
 
 /** What people build on: `<floor-plan>` offers these and a test holds it to them. Add; do not rename. */
@@ -14,6 +14,8 @@ export const ATTRIBUTES = {
 export const PROPERTIES = {
   file: 'The File or Blob shown, or null; setting it loads it.',
   options: 'Parameters given so far; setting them makes the plan again from the first step they touch.',
+  spawnWorker:
+    'A function that makes the worker, e.g. from grundriss/worker, where the page refuses a blob; null for the one inside.',
   plan: 'The FloorPlan shown, or null. Read only.',
   state: 'empty, loading, ready or failed. Read only.',
   error: 'The error of the last run, or null. Read only.',

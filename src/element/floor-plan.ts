@@ -1,22 +1,15 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { parseParam, resolveOptions } from '../core/options.ts';
 import type { Options, ParamName } from '../core/params.ts';
-import type { Progress } from '../core/pipeline.ts';
-import type { FloorPlan, Warning } from '../core/types.ts';
+import type { FloorPlan } from '../core/types.ts';
+import { nameOf } from '../read/url-source.ts';
 import type { DisplayUnit } from '../view/measure.ts';
-import { PlanClient } from '../worker/client.ts';
-import type { PlanView } from '../worker/protocol.ts';
-import {
-  ATTRIBUTES,
-  type FloorPlanEventMap,
-  LAYOUTS,
-  type Layout,
-  PARAM_ATTRIBUTES,
-  type PlanState,
-} from './contract.ts';
+import type { Spawn } from '../worker/spawn.ts';
+import { ATTRIBUTES, LAYOUTS, type Layout, PARAM_ATTRIBUTES, type PlanState } from './contract.ts';
 import { bundleFiles, saveFile } from './files.ts';
 import { GivenOptions } from './given-options.ts';
 import type { Actions, Model } from './model.ts';
+import { PlanMaker, type Source } from './plan-maker.ts';
 import { Shell } from './shell.ts';
 import { adoptStyles } from './styles.ts';
 
@@ -26,11 +19,6 @@ const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 /** A moved slider makes the plan again when it has rested this long, ms. */
 const REST = 140;
 
-interface Source {
-  readonly data: Blob | string;
-  readonly name: string;
-}
-
 /**
  * `<floor-plan>`: drop a scan, hold its plan. All work is done in a worker; nothing leaves the browser.
  * What it offers is in contract.ts; `define.ts` registers it.
@@ -38,43 +26,37 @@ interface Source {
 export class FloorPlanElement extends Base {
   static readonly observedAttributes = [...Object.keys(ATTRIBUTES), ...PARAM_ATTRIBUTES.keys()];
 
-  #shell: Shell | null = null;
-  #client: PlanClient | null = null;
-  /** The scan shown, and whether the client of now has read it. */
-  #source: Source | null = null;
-  #isHeld = false;
-  /** The scan being read. */
-  #next: Source | null = null;
-  #view: PlanView | null = null;
   readonly #given = new GivenOptions();
-  #state: PlanState = 'empty';
-  #error: Error | null = null;
-  #progress: Progress | null = null;
-  #pointsSeen = 0;
-  #startedAt = 0;
-  #runs = 0;
+  readonly #maker = new PlanMaker({
+    onChange: () => this.#invalidate(),
+    onScan: () => {
+      this.#storey = 0;
+    },
+    onPreview: (positions) => this.#shell?.preview(positions),
+    spawnWorker: () => this.#spawnWorker,
+    emit: (type, detail) => this.dispatchEvent(new CustomEvent(type, { detail })),
+  });
+  #shell: Shell | null = null;
+  #spawnWorker: Spawn | null = null;
   #storey = 0;
-  #notices: Warning[] = [];
   #rest = 0;
   #frame = 0;
 
   connectedCallback(): void {
-    for (const name of ['file', 'options'] as const) this.#upgrade(name);
+    for (const name of ['spawnWorker', 'file', 'options'] as const) this.#upgrade(name);
     if (!this.shadowRoot) this.#build();
     this.#shell!.connect();
     this.addEventListener('keydown', this.#key);
     this.#render();
-    if (this.#next) this.#restart();
-    else if (!this.#source) this.#loadSrc();
+    if (this.#maker.isReading) this.#restart();
+    else if (!this.#maker.scan) this.#loadSrc();
   }
 
   disconnectedCallback(): void {
     this.removeEventListener('keydown', this.#key);
     clearTimeout(this.#rest);
     cancelAnimationFrame(this.#frame);
-    this.#client?.dispose();
-    this.#client = null;
-    this.#isHeld = false;
+    this.#maker.cancel();
     this.#shell?.disconnect();
   }
 
@@ -86,9 +68,9 @@ export class FloorPlanElement extends Base {
     this.#invalidate();
   }
 
-  /** The scan shown, where it is a file. Setting it loads it. */
+  /** The scan being read, else the one shown, where it is a file. Setting it loads it. */
   get file(): Blob | null {
-    const data = (this.#next ?? this.#source)?.data;
+    const data = this.#maker.scan?.data;
     return data instanceof Blob ? data : null;
   }
 
@@ -107,37 +89,42 @@ export class FloorPlanElement extends Base {
     this.#scheduleRun(0);
   }
 
+  /** Makes the worker, for pages whose policy refuses a blob; from `grundriss/worker`. Null: the one inside. */
+  get spawnWorker(): Spawn | null {
+    return this.#spawnWorker;
+  }
+
+  set spawnWorker(spawn: Spawn | null) {
+    this.#spawnWorker = spawn;
+  }
+
   get plan(): FloorPlan | null {
-    return this.#view?.plan ?? null;
+    return this.#maker.view?.plan ?? null;
   }
 
   get state(): PlanState {
-    return this.#state;
+    return this.#maker.state;
   }
 
   get error(): Error | null {
-    return this.#error;
+    return this.#maker.error;
   }
 
   /** Reads a scan and shows its plan; the plan before stays until then. @throws FloorPlanError, `cancelled` among them */
   async load(source: Blob | URL | string): Promise<FloorPlan> {
-    const next = sourceOf(source);
-    this.#next = next;
-    this.#pointsSeen = 0;
-    const view = await this.#run((client) => client.load(next.data, next.name, this.#given.now));
-    this.#emit('load', view.plan);
-    return view.plan;
+    clearTimeout(this.#rest);
+    return this.#maker.load(this.#sourceOf(source), this.#given.now);
   }
 
   /** Stops the run; the last plan stays. */
   cancel(): void {
     clearTimeout(this.#rest);
-    this.#client?.cancel();
+    this.#maker.cancel();
   }
 
   /** The bytes of one format; several files come as a ZIP. @throws FloorPlanError */
   async export(format: string): Promise<Blob> {
-    const files = await this.#files(format);
+    const files = await this.#maker.files(format);
     return files.length === 1 ? files[0].blob : (await bundleFiles(files, format)).blob;
   }
 
@@ -168,7 +155,7 @@ export class FloorPlanElement extends Base {
       undo: () => this.#undo(),
       redo: () => this.#redo(),
       save: (format) => void this.#save(format),
-      dismiss: () => this.#settle(null),
+      dismiss: () => this.#maker.dismiss(),
       setUnit: (unit) => this.setAttribute('display-units', unit),
       setLayout: (layout) => this.setAttribute('view', layout),
       setStorey: (storey) => {
@@ -176,84 +163,6 @@ export class FloorPlanElement extends Base {
         this.#invalidate();
       },
     };
-  }
-
-  /** Runs the client and shows what it made. Only the latest run reaches the page. */
-  async #run(start: (client: PlanClient) => Promise<PlanView>): Promise<PlanView> {
-    const run = ++this.#runs;
-    clearTimeout(this.#rest);
-    this.#state = 'loading';
-    this.#error = null;
-    this.#progress = null;
-    this.#startedAt = performance.now();
-    this.#invalidate();
-    try {
-      const view = await start(this.#openClient());
-      if (run !== this.#runs) throw overtaken();
-      this.#take(view);
-      return view;
-    } catch (error) {
-      if (run === this.#runs) this.#fail(error as Error);
-      throw error;
-    }
-  }
-
-  #take(view: PlanView): void {
-    if (this.#next) {
-      this.#source = this.#next;
-      this.#next = null;
-      this.#storey = 0;
-    }
-    this.#isHeld = true;
-    this.#view = view;
-    this.#settle(null);
-    this.#emit('plan-change', view.plan);
-  }
-
-  #fail(error: Error): void {
-    this.#next = null;
-    if (error instanceof FloorPlanError && error.code === 'cancelled') {
-      this.#settle(null);
-      return;
-    }
-    this.#settle(error);
-    this.#emit('error', error);
-  }
-
-  /** Something beside a run failed; a run under way goes on. */
-  #complain(error: Error): void {
-    if (error instanceof FloorPlanError && error.code === 'cancelled') return;
-    this.#error = error;
-    if (this.#state !== 'loading') this.#state = 'failed';
-    this.#invalidate();
-    this.#emit('error', error);
-  }
-
-  /** The run has ended, or its error was read. */
-  #settle(error: Error | null): void {
-    this.#error = error;
-    if (error) this.#state = 'failed';
-    else this.#state = this.#view ? 'ready' : 'empty';
-    this.#invalidate();
-  }
-
-  #openClient(): PlanClient {
-    this.#client ??= new PlanClient({
-      onProgress: (progress) => {
-        this.#progress = progress;
-        this.#emit('progress', progress);
-        this.#invalidate();
-      },
-      onPreview: (positions) => {
-        this.#pointsSeen = positions.length / 3;
-        this.#shell?.preview(positions);
-      },
-      onWarning: (warning) => {
-        this.#notices = [...this.#notices, warning];
-        this.#invalidate();
-      },
-    });
-    return this.#client;
   }
 
   #undo(): void {
@@ -271,7 +180,7 @@ export class FloorPlanElement extends Base {
       this.#given.begin(param, text === null ? {} : parseParam(param, text));
       this.#scheduleRun(0);
     } catch (error) {
-      this.#complain(error as Error);
+      this.#maker.complain(error as Error);
     }
   }
 
@@ -279,21 +188,20 @@ export class FloorPlanElement extends Base {
   #scheduleRun(delay: number): void {
     this.#invalidate();
     clearTimeout(this.#rest);
-    if (this.#next || this.#source) this.#rest = window.setTimeout(() => this.#restart(), delay);
+    if (this.#maker.scan) this.#rest = window.setTimeout(() => this.#restart(), delay);
   }
 
-  /** Makes the plan again with the parameters of now: of the scan being read, else of the one shown. */
   #restart(): void {
-    if (!this.isConnected || !this.#shell) return;
-    const source = this.#next ?? (this.#isHeld ? null : this.#source);
-    if (source) {
-      this.#next = source;
-      this.#run((client) => client.load(source.data, source.name, this.#given.now)).then(
-        ({ plan }) => this.#emit('load', plan),
-        ignore,
-      );
-    } else if (this.#source) {
-      this.#run((client) => client.update(this.#given.now)).catch(ignore);
+    if (this.isConnected && this.#shell) this.#maker.update(this.#given.now).catch(ignore);
+  }
+
+  /** A wrong address never gets to a run, so it is told of here. */
+  #sourceOf(given: Blob | URL | string): Source {
+    try {
+      return sourceOf(given);
+    } catch (error) {
+      this.#maker.complain(error as Error);
+      throw error;
     }
   }
 
@@ -302,30 +210,13 @@ export class FloorPlanElement extends Base {
     if (src) this.load(src).catch(ignore);
   }
 
-  async #files(format: string): Promise<readonly { readonly name: string; readonly blob: Blob }[]> {
-    if (!this.#source) {
-      throw new FloorPlanError('input/empty', 'There is no plan to export yet.', {
-        hint: 'Load a scan first.',
-      });
-    }
-    if (!this.#isHeld) {
-      const { data, name } = this.#source;
-      await this.#run((client) => client.load(data, name, this.#given.now));
-    }
-    return this.#openClient().export(format);
-  }
-
   async #save(format: string): Promise<void> {
     try {
-      const files = await this.#files(format);
+      const files = await this.#maker.files(format);
       saveFile(files.length === 1 ? files[0] : await bundleFiles(files, format));
     } catch (error) {
-      this.#complain(error as Error);
+      this.#maker.complain(error as Error);
     }
-  }
-
-  #emit<Type extends keyof FloorPlanEventMap>(type: Type, detail: FloorPlanEventMap[Type]['detail']): void {
-    this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 
   /** Draws once before the next frame, however much has changed. */
@@ -343,18 +234,11 @@ export class FloorPlanElement extends Base {
     const unit: DisplayUnit = this.getAttribute('display-units') === 'ft' ? 'ft' : 'm';
     const layout = this.getAttribute('view') as Layout;
     const preset = this.#given.now.preset ?? 'auto';
-    const isSlice = preset === 'auto' && this.#view?.options.preset === 'paper';
+    const isSlice = preset === 'auto' && this.#maker.view?.options.preset === 'paper';
     return {
-      state: this.#state,
-      view: this.#view,
+      ...this.#maker.facts,
       given: this.#given.now,
       options: resolveOptions(this.#given.now, { isSlice }),
-      name: (this.#next ?? this.#source)?.name ?? '',
-      progress: this.#progress,
-      startedAt: this.#startedAt,
-      pointsSeen: this.#pointsSeen,
-      error: this.#error,
-      notices: this.#notices,
       canUndo: this.#given.canUndo,
       canRedo: this.#given.canRedo,
       unit,
@@ -375,7 +259,7 @@ export class FloorPlanElement extends Base {
   };
 
   /** A property set before the class was registered shadows the accessor; set it again through it. */
-  #upgrade(name: 'file' | 'options'): void {
+  #upgrade(name: 'spawnWorker' | 'file' | 'options'): void {
     if (!Object.hasOwn(this, name)) return;
     const value = this[name];
     delete (this as Record<string, unknown>)[name];
@@ -386,12 +270,13 @@ export class FloorPlanElement extends Base {
 function sourceOf(source: Blob | URL | string): Source {
   if (source instanceof File) return { data: source, name: source.name };
   if (source instanceof Blob) return { data: source, name: 'scan' };
-  const { href, pathname } = new URL(source, document.baseURI);
-  return { data: href, name: decodeURIComponent(pathname.split('/').pop() ?? '') || 'scan' };
-}
-
-function overtaken(): FloorPlanError {
-  return new FloorPlanError('cancelled', 'A newer request overtook this one.');
+  if (URL.canParse(source, document.baseURI)) {
+    const { href } = new URL(source, document.baseURI);
+    return { data: href, name: nameOf(href) };
+  }
+  throw new FloorPlanError('input/unreadable', `expected the address of a scan, found "${source}"`, {
+    hint: 'Give a URL, absolute or relative to the page.',
+  });
 }
 
 /** The error has been shown and sent as an event; nobody awaits this promise. */

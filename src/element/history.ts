@@ -28,9 +28,4 @@ export class History<State> {
     this.#past.push(now);
     return this.#future.pop()!;
   }
-
-  clear(): void {
-    this.#past.length = 0;
-    this.#future.length = 0;
-  }
 }

@@ -1,5 +1,5 @@
 import type { Options, ParamName } from '../core/params.ts';
-import type { Progress } from '../core/pipeline.ts';
+import type { Progress } from '../core/pipeline-run.ts';
 import type { Warning } from '../core/types.ts';
 import type { DisplayUnit } from '../view/measure.ts';
 import type { PlanView } from '../worker/protocol.ts';

@@ -22,7 +22,7 @@ export const CSV_FORMAT: ReadFormat = {
  *
  * @throws input/empty, input/malformed
  */
-export async function openCsv(source: ByteSource): Promise<OpenCloud> {
+async function openCsv(source: ByteSource): Promise<OpenCloud> {
   const short = await source.slice(0, HEAD_BYTES);
   const layout =
     layOutCsv(wholeLines(short)) ??

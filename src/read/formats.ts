@@ -18,11 +18,6 @@ export type ReadFormatName = keyof typeof READ_FORMATS;
 
 export const READ_FORMAT_NAMES = Object.keys(READ_FORMATS) as readonly ReadFormatName[];
 
-/** For `<input accept>`: `.ply,.csv,…`. */
-export const READ_EXTENSIONS = READ_FORMAT_NAMES.flatMap((name) =>
-  READ_FORMATS[name].extensions.map((extension) => `.${extension}`),
-).join(',');
-
 export interface DetectedCloud {
   readonly format: ReadFormatName;
   readonly cloud: OpenCloud;

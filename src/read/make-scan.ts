@@ -5,6 +5,8 @@ import { diagonalOf, powerOfTwoBelow, type Thinning } from './thinning.ts';
 
 /** Cell that orders a slice, which has none, as a share of its extent. */
 const ORDER_SHARE = 2 ** -15;
+/** Step between 32-bit floats, as a share of the power of two below them. */
+const FLOAT_STEP = 2 ** -23;
 
 export interface ScanFacts {
   readonly name: string;
@@ -38,7 +40,7 @@ export function makeScan(thinning: Thinning, { name, format, bytes, cloud, targe
     isSlice: cloud.isSlice,
     ...(cloud.unit && { unit: cloud.unit }),
     ...(cloud.crs && { crs: cloud.crs }),
-    warnings: [...cloud.warnings, ...warningsOf(thinning, target)],
+    warnings: [...cloud.warnings, ...warningsOf(thinning, target), ...coarseFloats(thinning, origin, target)],
   };
 }
 
@@ -71,4 +73,18 @@ function warningsOf({ dropped, read, cell, count }: Thinning, target: number): W
     });
   }
   return warnings;
+}
+
+/** 32-bit floats far from zero are too few: at a UTM northing they lie half a metre apart, and walls with them. */
+function coarseFloats({ bounds }: Thinning, origin: Vec3, target: number): Warning[] {
+  const step = FLOAT_STEP * powerOfTwoBelow(Math.max(1, ...origin.map(Math.abs)));
+  const isFloat = [...bounds.min, ...bounds.max].every((value) => value === Math.fround(value));
+  if (target === 0 || step <= target || !isFloat) return [];
+  return [
+    {
+      code: 'read/coarse-coordinates',
+      message: `The coordinates were saved as 32-bit floats and are rounded to steps of ${step} source units.`,
+      hint: 'Save the cloud in double precision, or move it near the origin before it is saved.',
+    },
+  ];
 }

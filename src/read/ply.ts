@@ -22,7 +22,7 @@ export const PLY_FORMAT: ReadFormat = {
  *
  * @throws input/malformed, input/truncated, input/empty
  */
-export async function openPly(source: ByteSource): Promise<OpenCloud> {
+async function openPly(source: ByteSource): Promise<OpenCloud> {
   const header = await readPlyHeader(source);
   const index = header.elements.findIndex(({ name }) => name === 'vertex');
   const vertex = header.elements[index];

@@ -1,7 +1,7 @@
 import type { PointChunk } from './cloud-reader.ts';
 
 /** Points handed on at once: some hundred kilobytes, so they stay in cache from decoding to thinning. */
-export const CHUNK_POINTS = 1 << 15;
+const CHUNK_POINTS = 1 << 15;
 
 /** The values a point may have, in the order readers number them. */
 export const FIELDS = ['x', 'y', 'z', 'red', 'green', 'blue', 'intensity', 'classification'] as const;
@@ -10,7 +10,7 @@ export const Z = 2;
 export const RED = 3;
 export const BLUE = 5;
 export const INTENSITY = 6;
-export const CLASSIFICATION = 7;
+const CLASSIFICATION = 7;
 
 /** What full colour is in the source; `auto` looks at the first points. */
 export type ColourRange = 'unit' | 'byte' | 'short' | 'auto';

@@ -102,7 +102,7 @@ export function parseNumber(field: string, hasComma: boolean): number | undefine
 }
 
 /** The text of a field without blanks and quotes around it. */
-export function unquote(field: string): string {
+function unquote(field: string): string {
   const text = field.trim();
   const quoted = /^(["'])(.*)\1$/s.exec(text);
   return quoted ? quoted[2].trim() : text;

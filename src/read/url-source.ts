@@ -135,7 +135,8 @@ function sizeOf(response: Response): number | undefined {
   return isWhole && length !== null ? Number(length) : undefined;
 }
 
-function nameOf(url: string): string {
+/** The file's name in a URL, decoded. */
+export function nameOf(url: string): string {
   const path = url.startsWith('data:') ? '' : url.replace(/[?#].*$/, '');
   const name = path.slice(path.lastIndexOf('/') + 1);
   try {

@@ -1,6 +1,6 @@
 import { canvasStrokeTest } from '../core/canvas-stroke.ts';
 import { FloorPlanError } from '../core/errors.ts';
-import type { PipelineHooks } from '../core/pipeline.ts';
+import type { PipelineHooks } from '../core/pipeline-run.ts';
 
 /** The environment's own clock and canvas, in browser and worker; Node has no canvas of its own. */
 export const DEFAULT_HOOKS: PipelineHooks = {

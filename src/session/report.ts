@@ -1,5 +1,4 @@
-import { polygonArea } from '../core/geometry/rings.ts';
-import { vertexCount } from '../core/pipeline.ts';
+import { polygonArea, vertexCount } from '../core/geometry/rings.ts';
 import type { Axis, Unit, Warning } from '../core/types.ts';
 import { checkSolid } from '../solid/check-solid.ts';
 import type { RunResult } from './result.ts';

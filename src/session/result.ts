@@ -1,5 +1,6 @@
 import type { Options } from '../core/params.ts';
-import type { PlanResult, StageReport } from '../core/pipeline.ts';
+import type { PlanResult } from '../core/pipeline.ts';
+import type { StageReport } from '../core/pipeline-run.ts';
 import type { Scan, Solid, Warning } from '../core/types.ts';
 
 /** Everything one run of the pipeline made, stage by stage. */
@@ -10,5 +11,3 @@ export interface RunResult extends PlanResult {
   readonly stages: readonly StageReport[];
   readonly warnings: readonly Warning[];
 }
-
-export type { Progress, StageReport } from '../core/pipeline.ts';

@@ -1,7 +1,8 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { resolveOptions } from '../core/options.ts';
 import type { Options } from '../core/params.ts';
-import { type PipelineHooks, PipelineRun, planScan, type RunControl, StageCache } from '../core/pipeline.ts';
+import { planScan } from '../core/pipeline.ts';
+import { type PipelineHooks, PipelineRun, type RunControl, StageCache } from '../core/pipeline-run.ts';
 import { readScan } from '../read/read-scan.ts';
 import type { ByteSource } from '../read/source.ts';
 import { makeSolid } from '../solid/make-solid.ts';
@@ -23,7 +24,8 @@ interface OpenSource {
 
 /**
  * One person's work on one scan: reads it, makes its plan, makes it again when a parameter changes, writes files.
- * The same in worker, command and library. A source that fails leaves the one before it open.
+ * The same in worker, command and library. A source that fails leaves the one before it open. One run at a time:
+ * await, or cancel and await, the last before the next.
  */
 export class Session {
   readonly #hooks: PipelineHooks;

@@ -33,7 +33,7 @@ export async function makeSolid(
 }
 
 /** The exact engine: Booleans in the plane, then extrusion. */
-export const slabShells: Engine = ({ base, changes, low, high }) =>
+const slabShells: Engine = ({ base, changes, low, high }) =>
   carve(base, changes).map((polygon) => extrude(polygon, low, high));
 
 function partsOf(storey: Storey, options: Options): Part[] {

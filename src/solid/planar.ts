@@ -14,10 +14,10 @@ import type { Polygon, Ring } from '../core/types.ts';
 export const STEPS_PER_METRE = 1e6;
 /** A ring thinner than this on average is debris of rounding, not a shape. */
 const DEBRIS_WIDTH = 4 / STEPS_PER_METRE;
-/** A vertex this near an edge touches it, for all that rounding can tell, m. */
-const TOUCH = 3 / STEPS_PER_METRE;
+/** A vertex this near an edge touches it, for all that files can tell, m: tables have 0.1 mm, GLB float32. */
+const TOUCH = 2e-4;
 /** Half the side of the square knocked out where a polygon touches itself, m: just above what counts as touching. */
-const PINCH_HALF = 4 / STEPS_PER_METRE;
+const PINCH_HALF = 2.5e-4;
 /** Knocking out one pinch may make another; a handful of rounds has always been enough in the fuzz tests. */
 const PINCH_ROUNDS = 4;
 
@@ -62,10 +62,10 @@ export function combine(
 }
 
 /**
- * Makes an area fit for extrusion: no vertex of a polygon lies on another edge or vertex of it.
+ * Makes an area fit for extrusion and for files: no vertex of a polygon lies on another edge or vertex of it.
  *
- * Where rings touch, the extruded edge would have four faces, and rounding may even have them cross; a square of some
- * micrometres is knocked out there.
+ * Where rings touch, the extruded edge would have four faces, and rounding may even have them cross; a square of half
+ * a millimetre is knocked out there.
  */
 export function separatePinches(polygons: readonly Polygon[]): Polygon[] {
   let current = [...polygons];

@@ -7,7 +7,7 @@ export interface TriangleMesh {
 }
 
 /** Joins two vertex numbers of a directed edge into one key; exact below 2^26 vertices. */
-export const edgeKey = (from: number, to: number): number => from * 2 ** 26 + to;
+const edgeKey = (from: number, to: number): number => from * 2 ** 26 + to;
 
 /**
  * The directed edges that no neighbour closes: those not matched by exactly one edge the other way.

@@ -1,5 +1,5 @@
 /** Colours of the scene; each is the custom property `--scene-<name>` of the style sheet. */
-export const SCENE_COLOURS = ['ground', 'wall', 'cut', 'floor', 'structure', 'edge', 'grid'] as const;
+const SCENE_COLOURS = ['ground', 'wall', 'cut', 'floor', 'structure', 'edge', 'grid'] as const;
 /** As CSS writes them. */
 export type SceneColours = Readonly<Record<(typeof SCENE_COLOURS)[number], string>>;
 

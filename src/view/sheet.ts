@@ -1,3 +1,4 @@
+import { sourceCoordinates } from '../core/source-coordinates.ts';
 import type { Frame, Slice } from '../core/types.ts';
 import type { DisplayUnit } from './measure.ts';
 import { PanZoom } from './pan-zoom.ts';
@@ -17,8 +18,8 @@ export interface SheetContent {
 
 /** Room left around the sheet when it is fitted, px. */
 const MARGIN = 16;
-/** Coordinates are read to a millimetre, whatever the source unit. */
-const DECIMALS_OF_METRES = 3;
+/** Coordinates are read to a millimetre, whatever the source unit. m */
+const PRECISION = 0.001;
 
 /** The 2D view: the exported SVG itself with pan and zoom, the slice's points beneath it, a scale bar and coordinates. */
 export class SheetView {
@@ -150,11 +151,9 @@ export class SheetView {
     const { zoom, x, y } = this.#panZoom.placement;
     const [sx, sy] = [(event.clientX - left - x) / zoom, (event.clientY - top - y) / zoom];
     const [px, py] = invert(this.#drawing.planToSheet, sx, sy);
-    const { planOrigin, metresPerUnit, unit } = this.#frame;
-    const decimals = Math.max(0, Math.ceil(DECIMALS_OF_METRES + Math.log10(metresPerUnit)));
-    const read = (value: number) => value.toFixed(decimals);
-    const source = [planOrigin[0] + px / metresPerUnit, planOrigin[1] + py / metresPerUnit];
-    this.#coordinates.textContent = `${read(source[0])}, ${read(source[1])} ${unit}`;
+    const to = sourceCoordinates(this.#frame, PRECISION);
+    const read = (value: number) => value.toFixed(to.digits);
+    this.#coordinates.textContent = `${read(to.x(px))}, ${read(to.y(py))} ${this.#frame.unit}`;
   };
 
   readonly #leave = (): void => {

@@ -1,6 +1,6 @@
 import { FloorPlanError, fromPlainError } from '../core/errors.ts';
 import type { Options } from '../core/params.ts';
-import type { Progress } from '../core/pipeline.ts';
+import type { Progress } from '../core/pipeline-run.ts';
 import type { Warning } from '../core/types.ts';
 import type { ExportedFile, PlanView, Request, Response } from './protocol.ts';
 import { type Line, openMainThread, openWorker, type Spawn, spawnOrder } from './spawn.ts';
@@ -9,6 +9,8 @@ export interface ClientEvents {
   onProgress?(progress: Progress): void;
   /** A sample of the points read so far: source units, relative to the first point. */
   onPreview?(positions: Float32Array): void;
+  /** How the page itself makes the worker; asked when the first one is needed. */
+  spawnWorker?(): Spawn | null;
   /** The environment gave less than hoped for, e.g. no worker. */
   onWarning?(warning: Warning): void;
 }
@@ -29,25 +31,24 @@ type RequestBody = Request extends infer R ? (R extends Request ? Omit<R, 'id'> 
 
 /**
  * The pipeline off the main thread. The latest load or update wins; an overtaken one rejects with `cancelled`.
- * Cancelling ends the worker, which frees its memory at once; the last good scan is read again when it is next needed.
+ * Cancelling ends the worker, which frees its memory at once; a worker may also die. Either way the last good scan is
+ * read again when it is next needed, in a worker of its own.
  */
 export class PlanClient {
   readonly #events: ClientEvents;
-  readonly #spawns: Spawn[];
+  /** The ways to a worker that are left; null before the first is tried. */
+  #spawns: Spawn[] | null = null;
   readonly #pending = new Map<number, Pending>();
   #line: Line | null = null;
   #isReady = false;
   #lastId = 0;
   /** What the page shows. */
   #loaded: Loaded | null = null;
-  /** What is being read. */
-  #loading: Loaded | null = null;
   /** Whether the worker holds the scan that the page shows. */
   #holdsLoaded = false;
 
-  constructor(events: ClientEvents = {}, spawn?: Spawn) {
+  constructor(events: ClientEvents = {}) {
     this.#events = events;
-    this.#spawns = [...spawnOrder(spawn)];
   }
 
   /** Reads a scan and makes its plan; a URL is taken relative to the page. @throws FloorPlanError */
@@ -55,15 +56,10 @@ export class PlanClient {
     if (this.#isRunning) this.cancel();
     const absolute = typeof source === 'string' ? new URL(source, globalThis.document?.baseURI).href : source;
     const loading = { source: absolute, name, options };
-    this.#loading = loading;
-    try {
-      const view = await this.#ask<PlanView>({ kind: 'load', ...loading });
-      this.#loaded = loading;
-      this.#holdsLoaded = true;
-      return view;
-    } finally {
-      if (this.#loading === loading) this.#loading = null;
-    }
+    const view = await this.#ask<PlanView>({ kind: 'load', ...loading });
+    this.#loaded = loading;
+    this.#holdsLoaded = true;
+    return view;
   }
 
   /** Makes the plan again with other options, from the first stage they touch. @throws FloorPlanError */
@@ -93,12 +89,6 @@ export class PlanClient {
     this.#rejectAll(new FloorPlanError('cancelled', 'The run was cancelled.'));
   }
 
-  /** Ends the worker for good. */
-  dispose(): void {
-    this.cancel();
-    this.#loaded = null;
-  }
-
   get #isRunning(): boolean {
     return [...this.#pending.values()].some(({ request }) => request.kind !== 'export');
   }
@@ -124,6 +114,7 @@ export class PlanClient {
   #open(): void {
     const events = { onResponse: (r: Response) => this.#receive(r), onBroken: () => this.#broke() };
     this.#isReady = false;
+    this.#spawns ??= spawnOrder(this.#events.spawnWorker?.());
     const [spawn] = this.#spawns;
     if (!spawn) {
       this.#events.onWarning?.({
@@ -150,7 +141,7 @@ export class PlanClient {
       this.#rejectAll(new FloorPlanError('environment/worker', 'The worker stopped unexpectedly.', { hint }));
       return;
     }
-    this.#spawns.shift();
+    this.#spawns?.shift();
     this.#open();
   }
 

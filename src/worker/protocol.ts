@@ -1,6 +1,6 @@
 import type { PlainError } from '../core/errors.ts';
 import type { Options } from '../core/params.ts';
-import type { Progress, StageReport } from '../core/pipeline.ts';
+import type { Progress, StageReport } from '../core/pipeline-run.ts';
 import type { FloorPlan, Level, SecondaryResult, Slice, Solid } from '../core/types.ts';
 import type { Report } from '../session/report.ts';
 

@@ -14,12 +14,14 @@ const PROGRESS_INTERVAL = 33;
  * Answers requests with one {@link Session}; in a worker or, where none can be had, on the page's own thread.
  * A newer load or update overtakes the running one, which then answers `cancelled`.
  *
+ * @param ended ends the running request, on a thread that nobody can end
  * @returns the receiver of requests
  */
-export function serve(post: Post): (request: Request) => void {
+export function serve(post: Post, ended?: AbortSignal): (request: Request) => void {
   const session = new Session({ breathe });
   let running = new AbortController();
   let last: Promise<void> = Promise.resolve();
+  ended?.addEventListener('abort', () => running.abort());
 
   async function run(request: Exclude<Request, { kind: 'export' }>, signal: AbortSignal): Promise<void> {
     const control = controlOf(request.id, signal, post);

@@ -2,7 +2,7 @@
 import InlineWorker from './entry.ts?worker&inline';
 import type { Request, Response } from './protocol.ts';
 
-/** Two ends of one line: a worker, or the page's own thread. */
+/** Two ends of one line: a worker, or the page's own thread. A closed line says nothing more. */
 export interface Line {
   send(request: Request): void;
   close(): void;
@@ -17,7 +17,7 @@ export interface LineEvents {
 export type Spawn = () => Worker;
 
 /** Ways to a worker, in order: the given function, then the inline one. The page's own thread comes last. */
-export function spawnOrder(given?: Spawn): readonly Spawn[] {
+export function spawnOrder(given?: Spawn | null): Spawn[] {
   const inline: Spawn = () => new InlineWorker();
   return given ? [given, inline] : [inline];
 }
@@ -31,21 +31,29 @@ export function openWorker(spawn: Spawn, { onResponse, onBroken }: LineEvents): 
     event.preventDefault();
     onBroken();
   };
-  return { send: (request) => worker.postMessage(request), close: () => worker.terminate() };
+  return {
+    send: (request) => worker.postMessage(request),
+    close: () => {
+      worker.onmessage = null;
+      worker.onerror = null;
+      worker.terminate();
+    },
+  };
 }
 
 /** The pipeline on the page's own thread: slow pages beat no plan. */
 export function openMainThread({ onResponse }: LineEvents): Line {
-  let isOpen = true;
+  const closed = new AbortController();
+  const post = (response: Response) => {
+    if (!closed.signal.aborted) onResponse(structuredClone(response));
+  };
   const ready = import('./serve.ts').then(({ serve }) => {
-    const receive = serve((response) => isOpen && onResponse(structuredClone(response)));
-    onResponse({ kind: 'ready' });
+    const receive = serve(post, closed.signal);
+    post({ kind: 'ready' });
     return receive;
   });
   return {
-    send: (request) => void ready.then((receive) => isOpen && receive(request)),
-    close: () => {
-      isOpen = false;
-    },
+    send: (request) => void ready.then((receive) => receive(request)),
+    close: () => closed.abort(),
   };
 }

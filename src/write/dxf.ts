@@ -1,17 +1,20 @@
+import { type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
 import type { Polygon, Storey, Unit } from '../core/types.ts';
 import { decimal } from './decimals.ts';
 import { writeDxfObjects, writeDxfTables } from './dxf-tables.ts';
 import { DxfTags, type Extent } from './dxf-tags.ts';
 import type { Product } from './plan-writer.ts';
-import { type SourceCoordinates, sourceCoordinates } from './source-coordinates.ts';
 
 /** $INSUNITS by unit; a pixel is unitless. */
 const INSERT_UNITS: Record<Unit, number> = { m: 6, cm: 5, mm: 4, ft: 2, 'us-ft': 21, px: 0 };
 /** Height of room names, m. */
 const TEXT_HEIGHT = 0.2;
 
+/** Dashes of inferred lines, m: the sheet's 3 mm at 1:100. */
+const DASH = 0.3;
+
 /** Layers by AIA names; colours by AutoCAD's index, line weights in 1/100 mm as the sheet draws them. */
-export const DXF_LAYERS = [
+const DXF_LAYERS = [
   { name: 'A-WALL', colour: 7, lineType: 'Continuous', weight: 50 },
   { name: 'A-OUTLINE', colour: 8, lineType: 'Continuous', weight: 18 },
   { name: 'A-COLS', colour: 5, lineType: 'Continuous', weight: 35 },
@@ -35,7 +38,7 @@ export function writeDxf({ plan }: Product, storey: number): string {
   tags.section('CLASSES', () => {});
   const handles = writeDxfTables(tags, {
     layers: DXF_LAYERS,
-    dash: 0.3 / plan.frame.metresPerUnit,
+    dash: DASH / plan.frame.metresPerUnit,
     extent: entities.extent,
   });
   tags.section('ENTITIES', () => {

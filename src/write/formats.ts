@@ -99,7 +99,7 @@ export type WriteFormatName = keyof typeof WRITE_FORMATS;
 
 export const WRITE_FORMAT_NAMES = Object.keys(WRITE_FORMATS) as readonly WriteFormatName[];
 
-/** Formats that go along when a format is written to a folder: an SVG carries no georeference of its own. */
+/** Formats that go along when a format is written to a folder: the paper puts a georeference beside an SVG. */
 export const SIDECARS: Partial<Record<WriteFormatName, readonly WriteFormatName[]>> = {
   svg: ['frame'],
   'minimal-svg': ['frame'],

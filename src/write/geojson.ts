@@ -1,9 +1,10 @@
 import { orientRing } from '../core/geometry/rings.ts';
+import { conflictingEdges } from '../core/geometry/simplicity.ts';
+import { type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
 import type { Polygon, Ring, Storey } from '../core/types.ts';
-import { areaOf } from '../solid/planar.ts';
+import { areaOf, separatePinches } from '../solid/planar.ts';
 import { rounded } from './decimals.ts';
 import type { Product } from './plan-writer.ts';
-import { type SourceCoordinates, sourceCoordinates } from './source-coordinates.ts';
 
 /** Decimals of metres and square metres in properties. */
 const DIGITS = 4;
@@ -25,32 +26,32 @@ export function writeGeoJson({ plan }: Product): string {
 }
 
 function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
-  const feature = (kind: string, geometry: object | null, properties: object) =>
-    geometry === null
-      ? []
-      : [{ type: 'Feature', geometry, properties: { kind, storey: storey.index, ...properties } }];
+  const feature = (kind: string, geometry: object, properties: object) => ({
+    type: 'Feature',
+    geometry,
+    properties: { kind, storey: storey.index, ...properties },
+  });
+  const areas = (kind: string, polygon: Polygon, propertiesOf: (piece: Polygon) => object) =>
+    roundedPieces(polygon, to).map(({ piece, geometry }) => feature(kind, geometry, propertiesOf(piece)));
   return [
     ...storey.primary.flatMap((polygon) =>
-      feature('primary-boundary', polygonGeometry(polygon, to), { areaM2: number(areaOf([polygon])) }),
+      areas('primary-boundary', polygon, (piece) => ({ areaM2: number(areaOf([piece])) })),
     ),
     ...storey.secondary.flatMap(({ outline, operation, type }) =>
-      feature('secondary-boundary', polygonGeometry(outline, to), { operation, type }),
+      areas('secondary-boundary', outline, () => ({ operation, type })),
     ),
     ...storey.rooms.flatMap(({ name, outline, height, confidence }) =>
-      feature('room', polygonGeometry(outline, to), {
+      areas('room', outline, (piece) => ({
         name,
-        areaM2: number(areaOf([outline])),
+        areaM2: number(areaOf([piece])),
         heightM: number(height),
         confidence: number(confidence),
-      }),
+      })),
     ),
     ...storey.walls.flatMap(({ outline, thickness, confidence }) =>
-      feature('wall', polygonGeometry(outline, to), {
-        thicknessM: number(thickness),
-        confidence: number(confidence),
-      }),
+      areas('wall', outline, () => ({ thicknessM: number(thickness), confidence: number(confidence) })),
     ),
-    ...storey.openings.flatMap(({ type, from, to: end, sill, head }) =>
+    ...storey.openings.map(({ type, from, to: end, sill, head }) =>
       feature(
         'opening',
         { type: 'LineString', coordinates: [position(from[0], from[1], to), position(end[0], end[1], to)] },
@@ -65,12 +66,28 @@ function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
   ];
 }
 
-/** Null where rounding leaves no area. */
-function polygonGeometry({ outer, holes }: Polygon, to: SourceCoordinates): object | null {
+interface RoundedPiece {
+  readonly piece: Polygon;
+  readonly geometry: object;
+}
+
+/** A polygon whose rings stay valid when rounded, itself; another, cut where its rings all but touch. */
+function roundedPieces(polygon: Polygon, to: SourceCoordinates): RoundedPiece[] {
+  const rings = roundedRings(polygon, to);
+  const isSound = conflictingEdges(rings.map((ring) => Float64Array.from(ring.slice(1).flat()))).length === 0;
+  const pieces = isSound ? [polygon] : separatePinches([polygon]);
+  return pieces.flatMap((piece) => {
+    const coordinates = isSound ? rings : roundedRings(piece, to);
+    return coordinates.length === 0 ? [] : [{ piece, geometry: { type: 'Polygon', coordinates } }];
+  });
+}
+
+/** None where rounding leaves no area. */
+function roundedRings({ outer, holes }: Polygon, to: SourceCoordinates): Position[][] {
   const shell = closedRing(orientRing(outer, 'counter-clockwise'), to);
-  if (shell === null) return null;
+  if (shell === null) return [];
   const inner = holes.map((hole) => closedRing(orientRing(hole, 'clockwise'), to));
-  return { type: 'Polygon', coordinates: [shell, ...inner.filter((hole) => hole !== null)] };
+  return [shell, ...inner.filter((hole) => hole !== null)];
 }
 
 /** Vertices that rounding made one are written once. */

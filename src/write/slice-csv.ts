@@ -1,6 +1,6 @@
+import { sourceCoordinates } from '../core/source-coordinates.ts';
 import { decimal } from './decimals.ts';
 import type { Product } from './plan-writer.ts';
-import { sourceCoordinates } from './source-coordinates.ts';
 
 /** Writes slice.csv: the points the outline was found from, plan frame, source units and coordinates to 0.1 mm. */
 export function writeSliceCsv({ plan, slice }: Product): string {

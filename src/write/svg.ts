@@ -32,7 +32,7 @@ export function writeSvg(product: Product, storey: number): string {
 }
 
 /** @param frame georeference as JSON, for the metadata */
-export function sheetToSvg(sheet: Sheet, frame: string): string {
+function sheetToSvg(sheet: Sheet, frame: string): string {
   const { width, height } = sheet.paper;
   const root = attributes({
     xmlns: 'http://www.w3.org/2000/svg',

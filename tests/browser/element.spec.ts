@@ -1,5 +1,5 @@
 import { kebabCase, PARAM_NAMES } from '../../src/core/params.ts';
-import { ATTRIBUTES, EVENTS, METHODS, PROPERTIES } from '../../src/element/contract.ts';
+import { ATTRIBUTES, EVENTS, METHODS, PARTS, PROPERTIES, SLOTS } from '../../src/element/contract.ts';
 import type { FloorPlanElement } from '../../src/element/floor-plan.ts';
 import { expect, roomCsv, test } from './plan-page.ts';
 
@@ -19,6 +19,71 @@ test('the class offers the contract', async ({ page }) => {
   expect(offered.members).toEqual(
     expect.arrayContaining([...Object.keys(PROPERTIES), ...Object.keys(METHODS)]),
   );
+});
+
+test('parts and slots are where the contract says', async ({ page }) => {
+  const offered = await page.evaluate(() => {
+    const element = document.createElement('floor-plan');
+    document.body.append(element);
+    const names = (attribute: string) =>
+      [...element.shadowRoot!.querySelectorAll(`[${attribute}]`)].map((node) => node.getAttribute(attribute));
+    return {
+      parts: names('part'),
+      slots: [...element.shadowRoot!.querySelectorAll('slot')].map(({ name }) => name),
+    };
+  });
+  expect([...new Set(offered.parts)].sort()).toEqual(Object.keys(PARTS).sort());
+  expect([...new Set(offered.slots)].sort()).toEqual(Object.keys(SLOTS).sort());
+});
+
+test('a page gives the worker; where it cannot be made, the one inside serves', async ({ page }) => {
+  const made = await page.evaluate(async (csv) => {
+    const element = document.createElement('floor-plan') as FloorPlanElement;
+    let asked = 0;
+    element.spawnWorker = () => {
+      asked++;
+      throw new DOMException('refused', 'SecurityError');
+    };
+    document.body.append(element);
+    const plan = await element.load(new File([csv], 'room.csv'));
+    return { asked, storeys: plan.storeys.length };
+  }, roomCsv());
+  expect(made).toEqual({ asked: 1, storeys: 1 });
+});
+
+test('a wrong address is an error that is shown', async ({ page }) => {
+  const told = await page.evaluate(async () => {
+    const element = document.createElement('floor-plan') as FloorPlanElement;
+    document.body.append(element);
+    const rejected = await element.load('http://[').catch((error) => error.code);
+    return { rejected, state: element.state };
+  });
+  expect(told).toEqual({ rejected: 'input/unreadable', state: 'failed' });
+});
+
+test('a plan outlives its place in the page: moved or taken out, it still exports and changes', async ({
+  page,
+}) => {
+  const seen = await page.evaluate(async (csv) => {
+    const element = document.createElement('floor-plan') as FloorPlanElement;
+    document.body.append(element);
+    const loading = element.load(new File([csv], 'room.csv')).catch((error) => error.code);
+    document.querySelector('main, body')!.append(element);
+    const overtaken = await loading;
+    await new Promise((resolve) => element.addEventListener('load', resolve, { once: true }));
+    element.remove();
+    document.body.append(element);
+    const svg = await (await element.export('svg')).text();
+    const changed = new Promise((resolve) =>
+      element.addEventListener('plan-change', resolve, { once: true }),
+    );
+    element.options = { wallThickness: 0.4 };
+    await changed;
+    return { overtaken, svg: svg.slice(0, 200), thickness: element.plan!.options.wallThickness };
+  }, roomCsv());
+  expect(seen.overtaken).toBe('cancelled');
+  expect(seen.svg).toContain('<svg');
+  expect(seen.thickness).toBe(0.4);
 });
 
 test('load, export, events and states', async ({ page }) => {

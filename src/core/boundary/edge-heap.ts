@@ -13,10 +13,6 @@ export class EdgeHeap {
     this.grid = grid;
   }
 
-  clear(): void {
-    this.size = 0;
-  }
-
   /** @param edge its first point */
   push(edge: number, length: number): void {
     if (this.size === this.keys.length) this.grow();

@@ -1,3 +1,18 @@
+/*
+ * Gift opening and its safeguard, for a newcomer.
+ *
+ * Lengths alone cannot tell a doorway from a niche: the edge across either is longer than the opening length, and
+ * behind the doorway the ring falls into the room (a 10 × 4 m room lost 98.8 % of its area through a gap of 0.6 m).
+ * What lies behind the edge can tell, so an edge short enough to be a gap is opened on trial and judged afterwards:
+ *
+ *   gift-opening.ts   opens edges, longest first; those up to `bridgeLimit` that lead deeper than noise go to trial
+ *   trial.ts          opens all that lies behind one edge, weighs it, and keeps it or takes it back: the edge is a bridge
+ *   pocket.ts         what a recess looks like from its mouth: a strip between two walls, no hollow wall, not the room
+ *   opening.ts        the ring with a log, so that anything can be taken back, and the bridges found
+ *   opening-point.ts  the one point an edge opens to; hull-ring.ts the linked ring, and what blocks an edge
+ *   bridged-gaps.ts   afterwards: probes edges left closed, tells gaps from stray points (wall-run.ts), puts corners
+ *                     back that gaps took away (gap-corner.ts), and warns
+ */
 import { EdgeHeap } from './edge-heap.ts';
 import {
   firstPoint,

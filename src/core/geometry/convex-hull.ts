@@ -12,7 +12,7 @@ import { orientation } from './predicates.ts';
  *   points lie on one line. O(n log n).
  */
 export function convexHull(xy: Float64Array): Ring {
-  const distinct = distinctPoints(xy).xy;
+  const distinct = distinctPoints(xy);
   const hull = convexHullOfSorted(distinct);
   const ring = new Float64Array(2 * hull.length);
   for (let k = 0; k < hull.length; k++) {

@@ -30,31 +30,20 @@ export function lexicographicOrder(xy: Float64Array): Uint32Array {
   return order;
 }
 
-/**
- * The distinct points in lexicographic order.
- *
- * @returns `xy` without repeats and, for each kept point, its number in the input (the first of equals)
- */
-export function distinctPoints(xy: Float64Array): {
-  readonly xy: Float64Array;
-  readonly source: Uint32Array;
-} {
+/** The distinct points in lexicographic order, x, y each. */
+export function distinctPoints(xy: Float64Array): Float64Array {
   const order = lexicographicOrder(xy);
   const kept = new Float64Array(xy.length);
-  const source = new Uint32Array(order.length);
   let n = 0;
   for (let k = 0; k < order.length; k++) {
     const x = xy[2 * order[k]];
     const y = xy[2 * order[k] + 1];
-    if (n > 0 && x === kept[2 * n - 2] && y === kept[2 * n - 1]) {
-      source[n - 1] = Math.min(source[n - 1], order[k]);
-      continue;
-    }
+    if (n > 0 && x === kept[2 * n - 2] && y === kept[2 * n - 1]) continue;
     kept[2 * n] = x;
     kept[2 * n + 1] = y;
-    source[n++] = order[k];
+    n++;
   }
-  return { xy: kept.subarray(0, 2 * n), source: source.subarray(0, n) };
+  return kept.subarray(0, 2 * n);
 }
 
 /** Steps of one coordinate over its extent; monotone, so equal or larger coordinates never get a smaller step. */

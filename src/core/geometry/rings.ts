@@ -29,6 +29,16 @@ export function polygonArea({ outer, holes }: Polygon): number {
   return area;
 }
 
+/** Vertices of all rings. */
+export function vertexCount(polygons: readonly Polygon[]): number {
+  let vertices = 0;
+  for (const { outer, holes } of polygons) {
+    vertices += outer.length / 2;
+    for (const hole of holes) vertices += hole.length / 2;
+  }
+  return vertices;
+}
+
 /** The ring walked the other way round; the first vertex stays first. */
 export function reverseRing(ring: Ring): Ring {
   const reversed = new Float64Array(ring.length);

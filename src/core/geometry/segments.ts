@@ -24,25 +24,6 @@ export function segmentsTouch(
   return !((a > 0 && b > 0) || (a < 0 && b < 0));
 }
 
-/** Whether ab and cd cross at one point inside both, exactly; touching does not count. */
-export function segmentsCross(
-  ax: number,
-  ay: number,
-  bx: number,
-  by: number,
-  cx: number,
-  cy: number,
-  dx: number,
-  dy: number,
-): boolean {
-  const c = orientation(ax, ay, bx, by, cx, cy);
-  const d = orientation(ax, ay, bx, by, dx, dy);
-  if (c === 0 || d === 0 || c > 0 === d > 0) return false;
-  const a = orientation(cx, cy, dx, dy, ax, ay);
-  const b = orientation(cx, cy, dx, dy, bx, by);
-  return a !== 0 && b !== 0 && a > 0 !== b > 0;
-}
-
 /** Where the lines ab and cd meet, up to rounding; null when they are parallel. */
 export function lineIntersection(
   ax: number,

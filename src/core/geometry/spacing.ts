@@ -13,7 +13,7 @@ const SAMPLE = 20_000;
  * @returns metres; 0 for fewer than two distinct points. Linear in points of even density.
  */
 export function meanSpacing(xy: Float64Array): number {
-  const { xy: distinct } = distinctPoints(xy);
+  const distinct = distinctPoints(xy);
   const n = distinct.length >> 1;
   if (n < 2) return 0;
   const grid = buildPointGrid(distinct);

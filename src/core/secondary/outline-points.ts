@@ -41,7 +41,7 @@ export function outlineStructure(xy: Float64Array, options: Options, context: St
  * @returns null when the points enclose no area
  */
 export function outlinePoints(xy: Float64Array, options: Options, context: StageContext): Ring | null {
-  const points = distinctPoints(xy).xy;
+  const points = distinctPoints(xy);
   if (points.length < 6) return null;
   const hull = convexHull(points);
   if (hull.length < 6 || signedArea(hull) <= ROUNDING * squaredExtent(hull)) return null;

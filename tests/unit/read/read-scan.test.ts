@@ -33,6 +33,19 @@ function ply(points: readonly (readonly number[])[]): Uint8Array {
 }
 
 describe('readScan', () => {
+  it('warns of coordinates that 32-bit floats have rounded, and of no others', async () => {
+    const codesOf = async (points: number[][]) => {
+      const scan = await readScan(memorySource(ply(points), 'room.ply'), OPTIONS);
+      return scan.warnings.map(({ code }) => code);
+    };
+    const far = room(2000, 1, [691_871.31, 5_336_019.17, 500]);
+    const rounded = (points: number[][]) => points.map((point) => point.map(Math.fround));
+    expect(await codesOf(rounded(far))).toEqual(['read/coarse-coordinates']);
+    expect(await codesOf(far)).toEqual([]);
+    expect(await codesOf(rounded(room(2000)))).toEqual([]);
+    expect(await codesOf(rounded([...room(2000), [1e6, 0, 0]]))).toEqual([]);
+  });
+
   it('thins to the largest power of two within the resolution', async () => {
     const scan = await readScan(
       memorySource(ply(room(60_000)), 'room.ply'),

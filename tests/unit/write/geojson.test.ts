@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { isSimpleRing } from '../../../src/core/geometry/simplicity.ts';
 import type { Storey } from '../../../src/core/types.ts';
 import { writeGeoJson } from '../../../src/write/geojson.ts';
 import { type PlanFacts, rectangle, reversed, ring, secondary } from '../solid/plans.ts';
@@ -87,4 +88,18 @@ test('vertices that rounding makes one are written once', async () => {
 test('all storeys are in one file', async () => {
   const features = await featuresOf({ storeys: [{}, {}] });
   expect(features.map(({ properties }) => properties.storey)).toEqual([0, 0, 1, 1]);
+});
+
+test('rings stay simple when rounded to 0.1 mm', async () => {
+  // A dent whose tip ends 20 µm before the edge across; rounded, it lies on that edge.
+  const dented = ring(0, 0, 10, 3.00002, 10, 8, 6, 8, 5, 1.50003, 4, 8, 0, 8);
+  const features = await featuresOf({ storeys: [{ primary: [{ outer: dented, holes: [] }] }] });
+  const primary = features.filter(({ properties }) => properties.kind === 'primary-boundary');
+  expect(primary).toHaveLength(2);
+  for (const { geometry } of primary) {
+    expect(geometry.coordinates).toHaveLength(1);
+    expect(isSimpleRing(Float64Array.from(geometry.coordinates[0].slice(1).flat()))).toBe(true);
+  }
+  const areas = primary.map(({ properties }) => Number(properties.areaM2));
+  expect(areas[0] + areas[1]).toBeCloseTo(58.5, 2);
 });

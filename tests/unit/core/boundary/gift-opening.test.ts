@@ -13,7 +13,7 @@ type Point = readonly [number, number];
 
 /** Gift opening as the report words it, scanning all points and all edges. */
 function plainGiftOpening(xy: Float64Array, openingLength: number): Point[] {
-  const all = pointsOf(distinctPoints(xy).xy);
+  const all = pointsOf(distinctPoints(xy));
   const ring = pointsOf(convexHull(xy));
   const isFinal = new Set<string>();
   const keyOf = (k: number) => `${ring[k]}|${ring[(k + 1) % ring.length]}`;
@@ -90,7 +90,7 @@ describe('openGift without bridging', () => {
   it.each([1, 2, 3, 4, 5, 6])('is what scanning all points and edges gives on walls, seed %i', (seed) => {
     const xy = scanWalls({ walls: [ell], perMetre: 12, noise: 0.02, seed });
     for (const openingLength of [0.15, 0.4, 1]) {
-      const ours = coordinatesOf(openGift(distinctPoints(xy).xy, plainRules(xy, openingLength)).hull);
+      const ours = coordinatesOf(openGift(distinctPoints(xy), plainRules(xy, openingLength)).hull);
       expect(canonical(pointsOf(ours))).toBe(canonical(plainGiftOpening(xy, openingLength)));
       expectValidRing(ours);
     }
@@ -100,7 +100,7 @@ describe('openGift without bridging', () => {
     const random = randomNumbers(seed);
     const xy = Float64Array.from({ length: 300 }, () => random() * 10);
     for (const openingLength of [0.3, 1, 3]) {
-      const ours = coordinatesOf(openGift(distinctPoints(xy).xy, plainRules(xy, openingLength)).hull);
+      const ours = coordinatesOf(openGift(distinctPoints(xy), plainRules(xy, openingLength)).hull);
       expect(canonical(pointsOf(ours))).toBe(canonical(plainGiftOpening(xy, openingLength)));
       expectValidRing(ours);
     }
@@ -108,7 +108,7 @@ describe('openGift without bridging', () => {
 
   it('leaves no edge longer than the opening length that could be opened', () => {
     const xy = scanWalls({ walls: [ell], perMetre: 100, noise: 0.005, seed: 3 });
-    const ring = pointsOf(coordinatesOf(openGift(distinctPoints(xy).xy, plainRules(xy, 0.3)).hull));
+    const ring = pointsOf(coordinatesOf(openGift(distinctPoints(xy), plainRules(xy, 0.3)).hull));
     for (let k = 0; k < ring.length; k++) {
       expect(distance(ring[k], ring[(k + 1) % ring.length])).toBeLessThan(0.3);
     }

@@ -1,19 +1,24 @@
-import type { Frame } from '../core/types.ts';
+import type { Frame } from './types.ts';
 
 /** What a written coordinate may be off by, m. */
-const PRECISION = 1e-4;
+const WRITTEN = 1e-4;
 const MOST_DECIMALS = 8;
 
 /** Turns plan metres into source units and coordinates, seen from above (contract: plan.geojson, slice.csv). */
 export interface SourceCoordinates {
   x(planX: number): number;
   y(planY: number): number;
-  /** Decimals that keep 0.1 mm in the source's unit. */
+  /** Decimals that keep the precision in the source's unit. */
   readonly digits: number;
 }
 
-export function sourceCoordinates({ planOrigin, metresPerUnit }: Frame): SourceCoordinates {
-  const digits = Math.ceil(-Math.log10(PRECISION / metresPerUnit) - 1e-9);
+/** @param precision m */
+export function sourceCoordinates(
+  { planOrigin, metresPerUnit }: Frame,
+  precision = WRITTEN,
+): SourceCoordinates {
+  // Less than any step, so that a whole power of ten does not round up.
+  const digits = Math.ceil(-Math.log10(precision / metresPerUnit) - 1e-9);
   return {
     x: (planX) => planOrigin[0] + planX / metresPerUnit,
     y: (planY) => planOrigin[1] + planY / metresPerUnit,

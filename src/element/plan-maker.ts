@@ -1,0 +1,196 @@
+import { FloorPlanError } from '../core/errors.ts';
+import type { Options } from '../core/params.ts';
+import type { Progress } from '../core/pipeline-run.ts';
+import type { FloorPlan, Warning } from '../core/types.ts';
+import { PlanClient } from '../worker/client.ts';
+import type { ExportedFile, PlanView } from '../worker/protocol.ts';
+import type { Spawn } from '../worker/spawn.ts';
+import type { FloorPlanEventMap, PlanState } from './contract.ts';
+
+export interface Source {
+  readonly data: Blob | string;
+  readonly name: string;
+}
+
+export interface MakerEvents {
+  /** Something that is shown has changed. */
+  onChange(): void;
+  /** Another scan is shown. */
+  onScan(): void;
+  /** How a page makes the worker; asked when the first one is needed. */
+  spawnWorker(): Spawn | null;
+  /** A sample of the points read so far: source units, relative to the first point. */
+  onPreview(positions: Float32Array): void;
+  emit<Type extends keyof FloorPlanEventMap>(type: Type, detail: FloorPlanEventMap[Type]['detail']): void;
+}
+
+/**
+ * The plan shown, the scan it is of, and the run that makes the next one. Only the latest run reaches the page; a run
+ * that fails or is cancelled leaves the plan before.
+ */
+export class PlanMaker {
+  readonly #events: MakerEvents;
+  readonly #client: PlanClient;
+  /** The scan shown. */
+  #source: Source | null = null;
+  /** The scan being read. */
+  #next: Source | null = null;
+  #view: PlanView | null = null;
+  #error: Error | null = null;
+  #notices: readonly Warning[] = [];
+  #isRunning = false;
+  #runs = 0;
+  #progress: Progress | null = null;
+  #pointsSeen = 0;
+  #startedAt = 0;
+
+  constructor(events: MakerEvents) {
+    this.#events = events;
+    this.#client = new PlanClient({
+      spawnWorker: () => events.spawnWorker(),
+      onProgress: (progress) => {
+        this.#progress = progress;
+        events.emit('progress', progress);
+        events.onChange();
+      },
+      onPreview: (positions) => {
+        this.#pointsSeen = positions.length / 3;
+        events.onPreview(positions);
+      },
+      onWarning: (warning) => {
+        this.#notices = [...this.#notices, warning];
+        events.onChange();
+      },
+    });
+  }
+
+  get state(): PlanState {
+    if (this.#isRunning) return 'loading';
+    if (this.#error) return 'failed';
+    return this.#view ? 'ready' : 'empty';
+  }
+
+  get view(): PlanView | null {
+    return this.#view;
+  }
+
+  get error(): Error | null {
+    return this.#error;
+  }
+
+  /** The scan being read, else the one shown. */
+  get scan(): Source | null {
+    return this.#next ?? this.#source;
+  }
+
+  get isReading(): boolean {
+    return this.#next !== null;
+  }
+
+  /** What the panels show of the run and the plan. */
+  get facts() {
+    return {
+      state: this.state,
+      view: this.#view,
+      error: this.#error,
+      notices: this.#notices,
+      name: this.scan?.name ?? '',
+      progress: this.#progress,
+      pointsSeen: this.#pointsSeen,
+      startedAt: this.#startedAt,
+    };
+  }
+
+  /** Reads a scan and makes its plan. @throws FloorPlanError, `cancelled` among them */
+  async load(source: Source, options: Partial<Options>): Promise<FloorPlan> {
+    this.#next = source;
+    this.#pointsSeen = 0;
+    const { plan } = await this.#run(() => this.#client.load(source.data, source.name, options));
+    this.#events.emit('load', plan);
+    return plan;
+  }
+
+  /** Makes the plan again with other parameters: of the scan being read, else of the one shown. @throws FloorPlanError */
+  async update(options: Partial<Options>): Promise<void> {
+    if (this.#next) await this.load(this.#next, options);
+    else if (this.#source) await this.#run(() => this.#client.update(options));
+  }
+
+  /** Stops the run and ends the worker; the last plan stays, and can be changed and exported. */
+  cancel(): void {
+    this.#client.cancel();
+  }
+
+  /** @throws FloorPlanError */
+  async files(format: string): Promise<readonly ExportedFile[]> {
+    if (this.#source) return this.#client.export(format);
+    throw new FloorPlanError('input/empty', 'There is no plan to export yet.', {
+      hint: 'Load a scan first.',
+    });
+  }
+
+  /** Tells of something beside a run that failed; a run under way goes on. */
+  complain(error: Error): void {
+    if (isCancelled(error)) return;
+    this.#tell(error);
+  }
+
+  /** The error was read. */
+  dismiss(): void {
+    this.#error = null;
+    this.#events.onChange();
+  }
+
+  async #run(start: () => Promise<PlanView>): Promise<PlanView> {
+    const run = ++this.#runs;
+    this.#isRunning = true;
+    this.#error = null;
+    this.#progress = null;
+    this.#startedAt = performance.now();
+    this.#events.onChange();
+    try {
+      const view = await start();
+      if (run !== this.#runs) throw overtaken();
+      this.#take(view);
+      return view;
+    } catch (error) {
+      if (run === this.#runs) this.#fail(error as Error);
+      throw error;
+    }
+  }
+
+  #take(view: PlanView): void {
+    if (this.#next) {
+      this.#source = this.#next;
+      this.#next = null;
+      this.#events.onScan();
+    }
+    this.#view = view;
+    this.#isRunning = false;
+    this.#error = null;
+    this.#progress = null;
+    this.#events.onChange();
+    this.#events.emit('plan-change', view.plan);
+  }
+
+  #fail(error: Error): void {
+    this.#next = null;
+    this.#isRunning = false;
+    if (isCancelled(error)) this.dismiss();
+    else this.#tell(error);
+  }
+
+  #tell(error: Error): void {
+    this.#error = error;
+    this.#events.onChange();
+    this.#events.emit('error', error);
+  }
+}
+
+function isCancelled(error: Error): boolean {
+  return error instanceof FloorPlanError && error.code === 'cancelled';
+}
+
+function overtaken(): FloorPlanError {
+  return new FloorPlanError('cancelled', 'A newer request overtook this one.');
+}

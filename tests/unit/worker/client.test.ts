@@ -1,0 +1,87 @@
+import { expect, it } from 'vitest';
+import { PlanClient } from '../../../src/worker/client.ts';
+
+// Node has no Worker, so the client ends on its own thread: the real protocol, server and session answer.
+
+/** The walls of a room as a ready slice, a point every 2 cm. */
+function room(width: number): Blob {
+  const lines = ['x,y'];
+  for (let s = 0; s < width; s += 0.02) lines.push(`${s},0`, `${s},3`);
+  for (let s = 0; s < 3; s += 0.02) lines.push(`0,${s}`, `${width},${s}`);
+  return new Blob([lines.join('\n')]);
+}
+
+const cancelled = { code: 'cancelled' };
+
+it('makes a plan, changes it and writes it, and says that there is no worker', async () => {
+  const warnings: string[] = [];
+  const client = new PlanClient({ onWarning: ({ code }) => warnings.push(code) });
+  const first = await client.load(room(4), 'room.csv');
+  expect(first.plan.storeys[0].primary).toHaveLength(1);
+  const changed = await client.update({ wallThickness: 0.5 });
+  expect(changed.options.wallThickness).toBe(0.5);
+  expect(changed.stages.find(({ name }) => name === 'boundary')?.isCached).toBe(true);
+  const [file] = await client.export('svg');
+  expect(await file.blob.text()).toBe(changed.drawings[0]);
+  expect(warnings).toEqual(['environment/worker']);
+});
+
+it('asks the page for a worker first, once', async () => {
+  let asked = 0;
+  const spawn = () => {
+    asked++;
+    throw new Error('refused');
+  };
+  const client = new PlanClient({ spawnWorker: () => spawn });
+  await client.load(room(4), 'room.csv');
+  client.cancel();
+  await client.load(room(4), 'room.csv');
+  expect(asked).toBe(1);
+});
+
+it('of two loads the later wins, even before the line is ready', async () => {
+  const client = new PlanClient();
+  const overtaken = expect(client.load(room(4), 'a.csv')).rejects.toMatchObject(cancelled);
+  const view = await client.load(room(6), 'b.csv');
+  await overtaken;
+  expect(view.plan.source.name).toBe('b.csv');
+});
+
+it('of two updates the later wins; a load under way falls to an update of the scan shown', async () => {
+  const client = new PlanClient();
+  await client.load(room(4), 'a.csv');
+  const overtaken = expect(client.update({ wallThickness: 0.3 })).rejects.toMatchObject(cancelled);
+  const view = await client.update({ wallThickness: 0.4 });
+  await overtaken;
+  expect(view.options.wallThickness).toBe(0.4);
+  const fallen = expect(client.load(room(6), 'b.csv')).rejects.toMatchObject(cancelled);
+  const again = await client.update({ wallThickness: 0.6 });
+  await fallen;
+  expect(again.plan.source.name).toBe('a.csv');
+});
+
+it('after a cancelled load the scan before is read again for an export, with its own options', async () => {
+  const client = new PlanClient();
+  const shown = await client.load(room(4), 'a.csv', { wallThickness: 0.4 });
+  const stopped = expect(client.load(room(6), 'b.csv')).rejects.toMatchObject(cancelled);
+  client.cancel();
+  await stopped;
+  const [file] = await client.export('svg');
+  expect(await file.blob.text()).toBe(shown.drawings[0]);
+});
+
+it('after a load that fails the scan before is still there', async () => {
+  const client = new PlanClient();
+  const shown = await client.load(room(4), 'a.csv');
+  await expect(client.load(new Blob(['no cloud']), 'x.ply')).rejects.toMatchObject({
+    code: 'input/unknown-format',
+  });
+  const [file] = await client.export('svg');
+  expect(await file.blob.text()).toBe(shown.drawings[0]);
+});
+
+it('without a scan there is nothing to change or to write', async () => {
+  const client = new PlanClient();
+  await expect(client.update({})).rejects.toMatchObject({ code: 'input/empty' });
+  await expect(client.export('svg')).rejects.toMatchObject({ code: 'input/empty' });
+});
