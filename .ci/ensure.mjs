@@ -1,4 +1,4 @@
-// Installs what is missing, and nothing else: node .ci/ensure.mjs [packages] [chromium] [cli]
+// Installs what is missing, and nothing else: node .ci/ensure.mjs [packages] [chromium] [cli] [site]
 import { spawnSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -6,7 +6,12 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
-const tasks = { packages, chromium, cli };
+const tasks = {
+  packages,
+  chromium,
+  cli: () => build('the command', 'dist/cli.js', ['--mode', 'cli']),
+  site: () => build('the site', 'dist/site/index.html', []),
+};
 
 for (const name of process.argv.slice(2)) tasks[name]();
 
@@ -60,12 +65,12 @@ function findChromium() {
   return [...installed, own].find((path) => path && existsSync(path));
 }
 
-/** Builds the command where a source file is newer than it. */
-function cli() {
-  const built = join(root, 'dist', 'cli.js');
+/** Builds what is absent or older than a source file. */
+function build(what, file, mode) {
+  const built = join(root, file);
   if (existsSync(built) && newest(join(root, 'src')) < statSync(built).mtimeMs) return;
-  note('building the command');
-  run('npx', ['vite', 'build', '--mode', 'cli', '--logLevel', 'warn']);
+  note(`building ${what}`);
+  run('npx', ['vite', 'build', ...mode, '--logLevel', 'warn']);
 }
 
 function newest(folder) {
