@@ -62,8 +62,7 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     'level',
     options,
     (context) => chooseLevel(cloud, kept, options, context),
-    ({ band, indices }) =>
-      `${count(indices.length, 'point')}, ${band[0].toFixed(2)} to ${band[1].toFixed(2)} m`,
+    ({ band }) => `${band[0].toFixed(2)} to ${band[1].toFixed(2)} m`,
   );
   const slice = await run.stage(
     'slice',

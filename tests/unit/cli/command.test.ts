@@ -3,6 +3,7 @@ import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { measurePlan } from '../../accuracy/measure.ts';
 import { BAD_INPUTS } from '../../bad-inputs.ts';
 
 const root = resolve(import.meta.dirname, '../../..');
@@ -49,6 +50,10 @@ describe('a good scan', () => {
     expect(report.input.pointsRead).toBe(Number(/element vertex (\d+)/.exec(header)![1]));
     expect(report.input.bytes).toBe((await readFile(sample)).length);
     expect(report.mesh.watertight).toBe(true);
+    const plan = JSON.parse(await readFile(join(out, 'plan.geojson'), 'utf8'));
+    const truth = JSON.parse(await readFile(join(root, 'fixtures/samples/home.gt.json'), 'utf8'));
+    // Its hall once opened to the outside through a wall that the scan hardly shows.
+    expect(measurePlan(plan, truth).footprintIou).toBeGreaterThan(0.99);
     expect(report.levels.filter((level: { chosen: boolean }) => level.chosen)).toHaveLength(1);
   });
 
