@@ -62,7 +62,8 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     'level',
     options,
     (context) => chooseLevel(cloud, kept, options, context),
-    ({ band }) => `${band[0].toFixed(2)} to ${band[1].toFixed(2)} m`,
+    // A ready slice has no heights.
+    ({ band: [low, high] }) => (low < high ? `${low.toFixed(2)} to ${high.toFixed(2)} m` : 'as it came'),
   );
   const slice = await run.stage(
     'slice',

@@ -5,6 +5,7 @@ import { listField } from './list-field.ts';
 import { make, setAttribute } from './make.ts';
 import type { Actions, Panel } from './model.ts';
 import { numberField } from './number-field.ts';
+import { sayChoice } from './plain-words.ts';
 
 /** The control of a parameter, made from its row: number, auto-number, flag, choice, choice-list. */
 export function makeControl(name: ParamName, actions: Actions): Panel {
@@ -81,7 +82,7 @@ function choiceField({ id, change }: FieldFacts, choices: readonly string[]): Fi
   const select = make(
     'select',
     { id, 'aria-describedby': `${id}-hint`, on: { change: () => change(select.value, true) } },
-    ...choices.map((choice) => make('option', { value: choice }, choice)),
+    ...choices.map((choice) => make('option', { value: choice }, sayChoice(choice))),
   );
   return {
     node: select,

@@ -17,7 +17,7 @@ export function makeEmptyState(actions: Actions, poster: () => string | null): P
     ),
     makeOpenButton(actions, 'file-input-empty'),
     make('slot', { name: 'empty' }),
-    make('p', { class: 'hint' }, `Reads ${OPENED.map(({ label }) => label).join(', ')}.`),
+    make('p', { class: 'hint' }, `Reads ${OPENED.flatMap(({ extensions }) => extensions).join(', ')}.`),
   );
   const node = make('div', { class: 'empty' }, picture, words);
   return {

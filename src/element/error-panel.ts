@@ -2,6 +2,7 @@ import { FloorPlanError } from '../core/errors.ts';
 import { icon } from './icon.ts';
 import { make, setText } from './make.ts';
 import type { Actions, Panel } from './model.ts';
+import { sayLabels } from './plain-words.ts';
 
 /** What went wrong, where, and one thing to try. */
 export function makeErrorPanel(actions: Actions): Panel {
@@ -26,10 +27,10 @@ export function makeErrorPanel(actions: Actions): Panel {
       node.hidden = error === null;
       if (!error) return;
       const known = error instanceof FloorPlanError;
-      setText(message, error.message);
+      setText(message, sayLabels(error.message));
       setText(
         hint,
-        known ? error.hint : 'This is a bug. Please report it with the file, if you can share it.',
+        known ? sayLabels(error.hint) : 'This is a bug. Please report it with the file, if you can share it.',
       );
       setText(code, known ? error.code : 'bug');
     },

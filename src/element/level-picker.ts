@@ -1,6 +1,13 @@
 import type { LevelChoice } from '../core/params.ts';
 import type { Level } from '../core/types.ts';
-import { type DisplayUnit, formatCount, formatLength } from '../view/measure.ts';
+import {
+  type DisplayUnit,
+  formatBand,
+  formatCount,
+  formatDensity,
+  fromMetres,
+  toMetres,
+} from '../view/measure.ts';
 import { icon } from './icon.ts';
 import { make, setAttribute, setText } from './make.ts';
 import type { Actions, Panel } from './model.ts';
@@ -17,6 +24,8 @@ export function makeLevelPicker(actions: Actions): Panel {
     { type: 'button', class: 'chip', 'aria-pressed': 'true', on: { click: () => pick('auto') } },
     'Auto',
   );
+  let shownUnit: DisplayUnit = 'm';
+  const suffix = make('span', { class: 'unit' });
   const low = bandField('From');
   const high = bandField('to');
   const band = make(
@@ -27,7 +36,7 @@ export function makeLevelPicker(actions: Actions): Panel {
       on: {
         submit: (event: SubmitEvent) => {
           event.preventDefault();
-          const [from, to] = [low.valueAsNumber, high.valueAsNumber];
+          const [from, to] = [low, high].map((field) => toMetres(field.valueAsNumber, shownUnit));
           if (from < to) pick(`${from}:${to}`);
           else high.focus();
         },
@@ -36,7 +45,7 @@ export function makeLevelPicker(actions: Actions): Panel {
     auto,
     make('label', {}, 'From', low),
     make('label', {}, 'to', high),
-    make('span', { class: 'unit' }, 'm'),
+    suffix,
     make('button', { type: 'submit', class: 'chip' }, 'Use'),
   );
   const node = make('div', { class: 'level-picker' }, ...rows.map((row) => row.node), band);
@@ -48,13 +57,23 @@ export function makeLevelPicker(actions: Actions): Panel {
       for (const [i, index] of ORDER.entries()) rows[i].show(levels[index], densest, unit);
       setAttribute(auto, 'aria-pressed', String(options.level === 'auto'));
       const [from, to] = options.level.includes(':') ? options.level.split(':') : ['', ''];
-      if (!low.matches(':focus')) low.value = from;
-      if (!high.matches(':focus')) high.value = to;
+      const isOtherUnit = unit !== shownUnit;
+      shownUnit = unit;
+      setText(suffix, unit);
+      for (const [field, metres] of [
+        [low, from],
+        [high, to],
+      ] as const) {
+        // A field under the hand is not overwritten.
+        if (field.matches(':focus') && !isOtherUnit) continue;
+        field.value = metres === '' ? '' : String(fromMetres(Number(metres), unit));
+      }
     },
   };
 }
 
 function makeLevel(index: number, onPick: () => void) {
+  const name = make('span', { class: 'level-name' }, `Level ${index}`);
   const range = make('span', { class: 'level-range' });
   const points = make('span', { class: 'level-points' });
   const density = make('span', { class: 'level-density' });
@@ -68,6 +87,7 @@ function makeLevel(index: number, onPick: () => void) {
       on: { click: onPick },
     },
     make('span', { class: 'level-mark' }, icon('check')),
+    name,
     range,
     points,
     density,
@@ -77,9 +97,9 @@ function makeLevel(index: number, onPick: () => void) {
     show(level: Level | undefined, densest: number, unit: DisplayUnit) {
       node.disabled = !level || level.points === 0;
       setAttribute(node, 'aria-pressed', String(level?.chosen ?? false));
-      setText(range, level ? rangeOf(level, unit) : `Level ${index}`);
+      setText(range, level ? rangeOf(level, unit) : '');
       setText(points, level ? `${formatCount(level.points)} points` : '');
-      setText(density, level ? `${formatCount(level.densityPerM2)} per m²` : '');
+      setText(density, level ? formatDensity(level.densityPerM2, unit) : '');
       node.style.setProperty('--density', String(level ? level.densityPerM2 / densest : 0));
     },
   };
@@ -87,7 +107,7 @@ function makeLevel(index: number, onPick: () => void) {
 
 /** A ready slice has no heights. */
 function rangeOf({ low, high, points }: Level, unit: DisplayUnit): string {
-  if (low < high) return `${formatLength(low, unit)} to ${formatLength(high, unit)}`;
+  if (low < high) return formatBand(low, high, unit);
   return points > 0 ? 'The slice as it came' : 'Nothing here';
 }
 
@@ -96,6 +116,6 @@ function bandField(name: string): HTMLInputElement {
     type: 'number',
     step: 'any',
     required: true,
-    'aria-label': `${name}, metres above the floor`,
+    'aria-label': `${name}, above the floor`,
   });
 }

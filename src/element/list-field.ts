@@ -1,5 +1,6 @@
 import type { Field, FieldFacts } from './field.ts';
 import { make } from './make.ts';
+import { sayChoice } from './plain-words.ts';
 
 /** One choice for each secondary boundary, in order; the last choice holds for all that follow. */
 export function listField({ id, change }: FieldFacts, choices: readonly string[]): Field {
@@ -16,7 +17,7 @@ export function listField({ id, change }: FieldFacts, choices: readonly string[]
       const select = make(
         'select',
         { on: { change: read } },
-        ...choices.map((choice) => make('option', { value: choice }, choice)),
+        ...choices.map((choice) => make('option', { value: choice }, sayChoice(choice))),
       );
       selects.push(select);
       node.append(make('label', {}, make('span', {}, `Structure ${selects.length}`), select));

@@ -55,7 +55,10 @@ export function makeStageRow(stage: StageName, actions: Actions): Panel {
       if (next !== shown) mark.replaceChildren(...symbolOf(next));
       shown = next;
       setAttribute(node, 'data-mark', next);
-      setText(outcome, next === 'waiting' ? '' : (report?.outcome ?? ''));
+      const words = next === 'waiting' ? '' : (report?.outcome ?? '');
+      setText(outcome, words);
+      // A long outcome is cut in a narrow rail.
+      setAttribute(outcome, 'title', words);
       setText(
         time,
         next === 'running' || !report ? '' : report.isCached ? 'kept' : formatDuration(report.ms),

@@ -23,6 +23,33 @@ export function formatArea(squareMetres: number, unit: DisplayUnit): string {
   return `${Math.round(squareMetres / METRES_PER_FOOT ** 2)} ft²`;
 }
 
+/** A band of heights, all with the same decimals so that they compare: `0.65 to 2.00 m`, `2′ 2″ to 6′ 7″`. */
+export function formatBand(low: number, high: number, unit: DisplayUnit): string {
+  if (unit === 'm') return `${low.toFixed(2)} to ${high.toFixed(2)} m`;
+  const read = (metres: number) => {
+    const inches = Math.round((metres / METRES_PER_FOOT) * INCHES_PER_FOOT);
+    return `${Math.floor(inches / INCHES_PER_FOOT)}′ ${inches % INCHES_PER_FOOT}″`;
+  };
+  return `${read(low)} to ${read(high)}`;
+}
+
+/** `317 per m²`, `29 per ft²`. */
+export function formatDensity(perSquareMetre: number, unit: DisplayUnit): string {
+  return unit === 'm'
+    ? `${formatCount(perSquareMetre)} per m²`
+    : `${formatCount(perSquareMetre * METRES_PER_FOOT ** 2)} per ft²`;
+}
+
+/** What a person typed, in metres to the millimetre. */
+export function toMetres(value: number, unit: DisplayUnit): number {
+  return unit === 'm' ? value : Number((value * METRES_PER_FOOT).toFixed(3));
+}
+
+/** A length as a bare number to edit. */
+export function fromMetres(metres: number, unit: DisplayUnit): number {
+  return unit === 'm' ? metres : Number((metres / METRES_PER_FOOT).toFixed(2));
+}
+
 /** `12,345`. */
 export function formatCount(count: number): string {
   return Math.round(count).toLocaleString('en-GB');

@@ -47,13 +47,13 @@ export class PanZoom {
     return this.#placement;
   }
 
-  /** Centres a sheet of `width` × `height` mm with `margin` px around it. */
-  fit(width: number, height: number, margin: number): void {
+  /** Centres a sheet of `width` × `height` with `margin` px around it and `foot` px below. */
+  fit(width: number, height: number, { margin, foot }: { margin: number; foot: number }): void {
     const { clientWidth, clientHeight } = this.#host;
-    const room = [Math.max(1, clientWidth - 2 * margin), Math.max(1, clientHeight - 2 * margin)];
+    const room = [Math.max(1, clientWidth - 2 * margin), Math.max(1, clientHeight - margin - foot)];
     const zoom = Math.min(room[0] / width, room[1] / height);
     this.#fitZoom = zoom;
-    this.#move({ zoom, x: (clientWidth - zoom * width) / 2, y: (clientHeight - zoom * height) / 2 });
+    this.#move({ zoom, x: (clientWidth - zoom * width) / 2, y: margin + (room[1] - zoom * height) / 2 });
   }
 
   zoomIn(): void {

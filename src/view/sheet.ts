@@ -16,8 +16,9 @@ export interface SheetContent {
   readonly slice: Slice;
 }
 
-/** Room left around the sheet when it is fitted, px. */
+/** Room left around the sheet when it is fitted, and for the scale bar under it, px. */
 const MARGIN = 16;
+const FOOT = 40;
 /** Coordinates are read to a millimetre, whatever the source unit. m */
 const PRECISION = 0.001;
 
@@ -98,7 +99,7 @@ export class SheetView {
   fit(): void {
     if (!this.#drawing) return;
     const { width, height } = this.#drawing;
-    this.#panZoom.fit(width, height, MARGIN);
+    this.#panZoom.fit(width, height, { margin: MARGIN, foot: FOOT });
     this.#isFitted = true;
   }
 

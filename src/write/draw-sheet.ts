@@ -7,8 +7,17 @@ import { hatch } from './hatch.ts';
 import { labelPoint } from './label-point.ts';
 import type { Product } from './plan-writer.ts';
 import { HATCHES } from './secondary-hatch.ts';
-import { type Affine, type Sheet, type SheetItem, type SheetLayer, TEXT_SIZES } from './sheet.ts';
+import {
+  type Affine,
+  chain,
+  mapped,
+  type Sheet,
+  type SheetItem,
+  type SheetLayer,
+  TEXT_SIZES,
+} from './sheet.ts';
 import { fitPage } from './sheet-page.ts';
+import { rotationBy, turnToSquare } from './sheet-turn.ts';
 import { textWidth } from './text-width.ts';
 import { drawTitleBlock, type LegendEntry } from './title-block.ts';
 
@@ -24,29 +33,31 @@ export interface DrawOptions {
 
 /**
  * Draws one storey as an architect would: cut walls solid, inferred stretches dashed, secondary boundaries hatched by
- * what they do to the model, dimensions outside, scale and paper chosen to fit.
+ * what they do to the model, dimensions outside, walls square to the sheet, scale and paper chosen to fit.
  *
  * @param storey index into the plan's storeys
  */
 export function drawSheet(product: Product, storey: number, { hasPoints = false }: DrawOptions = {}): Sheet {
   const { plan, slice } = product;
   const drawn = plan.storeys[storey];
-  const covered = footprint(drawn);
+  const turn = turnToSquare(plan.storeys.flatMap(({ primary }) => primary));
+  const covered = footprint(drawn).map((polygon) => mappedPolygon(polygon, rotationBy(turn)));
   const extent = extentOf(covered.length > 0 ? covered : [{ outer: new Float64Array(2), holes: [] }]);
   // The steps worth a dimension depend on the scale and the scale on their space: the second guess settles it.
   const firstGuess = fitPage(extent, planDimensions(covered, extent, 1).surround);
   const dimensions = planDimensions(covered, extent, firstGuess.scale);
-  const { paper, scale, planToSheet } = fitPage(extent, dimensions.surround);
+  const { paper, scale, planToSheet: squareToSheet } = fitPage(extent, dimensions.surround);
+  const planToSheet = chain(squareToSheet, rotationBy(turn));
   const walls = drawWalls(drawn, planToSheet);
-  const facts = factsOf(product, drawn, { scale, paper: paper.name });
-  const block = drawTitleBlock({ ...facts, legend: legendOf(drawn, walls.gaps) }, paper, scale);
+  const facts = factsOf(product, drawn, { scale, paper: paper.name, turn });
+  const block = drawTitleBlock({ ...facts, turn, legend: legendOf(drawn, walls.gaps) }, paper, scale);
   const points: SheetItem[] = hasPoints ? [{ kind: 'points', xy: mapped(slice.xy, planToSheet) }] : [];
   const layers: SheetLayer[] = [
     { name: 'points', isVisible: hasPoints, items: points },
     { name: 'walls', isVisible: true, items: walls.cut },
     { name: 'secondary', isVisible: true, items: drawSecondary(drawn.secondary, planToSheet) },
     { name: 'gaps', isVisible: true, items: walls.gaps },
-    { name: 'dimensions', isVisible: true, items: drawDimensions(dimensions, extent, planToSheet) },
+    { name: 'dimensions', isVisible: true, items: drawDimensions(dimensions, extent, squareToSheet) },
     { name: 'labels', isVisible: true, items: drawLabels(drawn, planToSheet, scale) },
     { name: 'title', isVisible: true, items: block },
   ];
@@ -117,7 +128,7 @@ function drawLabels(storey: Storey, planToSheet: Affine, scale: number): SheetIt
     const [x, y] = mapped(Float64Array.of(px, py), planToSheet);
     // Too narrow for a line of text: turned, since such rooms are mostly corridors.
     const isNarrow = (2 * distance * 1000) / scale < width + 2 * LABEL_BLANK;
-    return isNarrow && lines.length === 1 && !isWiderThanDeep(outline)
+    return isNarrow && lines.length === 1 && !isWiderThanDeep(mappedPolygon(outline, planToSheet))
       ? [
           {
             kind: 'text',
@@ -159,31 +170,27 @@ function legendOf({ walls, secondary }: Storey, gaps: readonly SheetItem[]): Leg
 function factsOf(
   { name, plan }: Product,
   storey: Storey,
-  page: { scale: number; paper: string },
+  page: { scale: number; paper: string; turn: number },
 ): { title: string; lines: string[] } {
   const count = plan.storeys.length;
   const inner = areaOf(combine('union', storey.primary));
   const outer = areaOf(footprint(storey));
+  const turned = page.turn === 0 ? '' : `, turned by ${Math.abs((page.turn * 180) / Math.PI).toFixed(1)}°`;
   const points = plan.source.pointsKept.toLocaleString('en-GB');
   return {
     title: name.trim() === '' ? 'Floor plan' : name,
     lines: [
       count === 1 ? 'Floor plan' : `Floor plan, storey ${storey.index} of 0 to ${count - 1}`,
       `Inside ${inner.toFixed(1)} m², with walls ${outer.toFixed(1)} m², height ${storey.height.toFixed(2)} m`,
-      `Scale 1:${page.scale} on ${page.paper}, dimensions in metres`,
+      `Scale 1:${page.scale} on ${page.paper}${turned}, dimensions in metres`,
       `Source: ${plan.source.name}, ${points} points`,
       'Approximate: drawn from a point cloud',
     ],
   };
 }
 
-const ringsOf = ({ outer, holes }: Polygon): Float64Array[] => [outer, ...holes];
-
-function mapped(xy: Float64Array, [a, b, c, d, e, f]: Affine): Float64Array {
-  const result = new Float64Array(xy.length);
-  for (let i = 0; i < xy.length; i += 2) {
-    result[i] = a * xy[i] + c * xy[i + 1] + e;
-    result[i + 1] = b * xy[i] + d * xy[i + 1] + f;
-  }
-  return result;
+function mappedPolygon({ outer, holes }: Polygon, map: Affine): Polygon {
+  return { outer: mapped(outer, map), holes: holes.map((hole) => mapped(hole, map)) };
 }
+
+const ringsOf = ({ outer, holes }: Polygon): Float64Array[] => [outer, ...holes];

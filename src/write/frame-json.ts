@@ -1,7 +1,7 @@
 import type { FloorPlan } from '../core/types.ts';
 import { drawSheet } from './draw-sheet.ts';
 import type { Product } from './plan-writer.ts';
-import type { Affine, Sheet } from './sheet.ts';
+import { type Affine, chain, inverse, type Sheet } from './sheet.ts';
 
 /** The georeference an SVG cannot hold: how places on a drawing are places in the scan. */
 export interface FrameFacts {
@@ -39,7 +39,6 @@ export interface FrameFacts {
 export function frameFacts(plan: FloorPlan, sheet: Sheet): FrameFacts {
   const { frame, storeys, source } = plan;
   const { paper, scale, planToSheet } = sheet;
-  const [a, , , d, e, f] = planToSheet;
   const [x, y] = frame.planOrigin;
   const units = 1 / frame.metresPerUnit;
   return {
@@ -60,7 +59,7 @@ export function frameFacts(plan: FloorPlan, sheet: Sheet): FrameFacts {
       heightMm: paper.height,
       scale,
       planToSheet,
-      sheetToSource: [units / a, 0, 0, units / d, x - (e / a) * units, y - (f / d) * units],
+      sheetToSource: chain([units, 0, 0, units, x, y], inverse(planToSheet)),
     },
     minimal: { svgToSource: [units, 0, 0, -units, x, y] },
   };

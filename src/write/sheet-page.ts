@@ -24,6 +24,8 @@ export interface Page {
 
 /** Blank edge of the sheet, mm. */
 export const MARGIN = 12;
+/** A plan up to this much wider than deep stands on upright paper: beside the model and on a phone it shows larger. */
+const UPRIGHT = 1.25;
 /** Height of the strip with title, scale bar and legend, mm. */
 export const STRIP = 34;
 
@@ -35,12 +37,15 @@ const PAPERS = [
   { name: 'A0', short: 841, long: 1189 },
 ] as const;
 
-/** Each scale with the largest paper (index) it is worth: homes on A4 and A3, big sheets for big buildings only. */
+/**
+ * Each scale with the largest paper (index) it is worth. A home goes on A4: it prints anywhere, and on a screen its
+ * texts stay legible with the whole sheet in view.
+ */
 const SCALES = [
   [20, 0],
-  [50, 1],
-  [100, 2],
-  [200, 3],
+  [50, 0],
+  [100, 1],
+  [200, 2],
   [500, 4],
   [1000, 4],
   [2000, 4],
@@ -79,7 +84,7 @@ function smallestPaper(
       { name, width: long, height: short },
       { name, width: short, height: long },
     ];
-    if (planHeight > planWidth) turned.reverse();
+    if (planWidth <= UPRIGHT * planHeight) turned.reverse();
     const paper = turned.find(({ width, height }) => needed[0] <= width && needed[1] <= height);
     if (paper !== undefined) return paper;
   }

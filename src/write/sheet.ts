@@ -1,6 +1,33 @@
 /** A numeric plane map in the order of SVG's matrix(): x' = a·x + c·y + e, y' = b·x + d·y + f. */
 export type Affine = readonly [a: number, b: number, c: number, d: number, e: number, f: number];
 
+/** `outer` after `inner`. */
+export function chain(outer: Affine, inner: Affine): Affine {
+  const [a, b, c, d, e, f] = outer;
+  const [p, q, r, s, x, y] = inner;
+  return [
+    ...([a * p + c * q, b * p + d * q, a * r + c * s, b * r + d * s] as const),
+    ...([a * x + c * y + e, b * x + d * y + f] as const),
+  ];
+}
+
+/** The way back. */
+export function inverse([a, b, c, d, e, f]: Affine): Affine {
+  const determinant = a * d - b * c;
+  const [p, q, r, s] = [d / determinant, -b / determinant, -c / determinant, a / determinant];
+  return [p, q, r, s, -(p * e + r * f), -(q * e + s * f)];
+}
+
+/** Vertices x, y carried through a map. */
+export function mapped(xy: Float64Array, [a, b, c, d, e, f]: Affine): Float64Array {
+  const result = new Float64Array(xy.length);
+  for (let i = 0; i < xy.length; i += 2) {
+    result[i] = a * xy[i] + c * xy[i + 1] + e;
+    result[i + 1] = b * xy[i] + d * xy[i + 1] + f;
+  }
+  return result;
+}
+
 export interface Paper {
   /** ISO 216 name: A4 … A0. */
   readonly name: string;

@@ -12,10 +12,14 @@ export interface TitleFacts {
   /** Small lines under the title, top to bottom. */
   readonly lines: readonly string[];
   readonly legend: readonly LegendEntry[];
+  /** How far the plan is turned on the sheet, radians counter-clockwise. */
+  readonly turn: number;
 }
 
 /** Width of the title's column at the right, mm. */
 const TITLE_WIDTH = 96;
+/** The arrow along the scan's y axis: its column at the right edge, and half its length, mm. */
+const ARROW = { column: 14, reach: 4.5, head: 2.6, half: 1 } as const;
 const LINE_HEIGHT = 4.2;
 /** Segments of the scale bar, and the lengths a segment may have, metres; the longest that fits is taken. */
 const SEGMENTS = 4;
@@ -38,6 +42,7 @@ export function drawTitleBlock(facts: TitleFacts, paper: Paper, scale: number): 
   return [
     { kind: 'path', style: 'rule', lines: [rule], isClosed: false },
     ...drawTitle(facts, paper.width - MARGIN - TITLE_WIDTH, top),
+    ...drawHeading(facts.turn, paper.width - MARGIN - ARROW.column / 2, top + 3 + ARROW.column / 2),
     ...drawScaleBar(scale, MARGIN, top + 6),
     ...drawLegend(facts.legend, MARGIN, top + 15),
   ];
@@ -45,17 +50,43 @@ export function drawTitleBlock(facts: TitleFacts, paper: Paper, scale: number): 
 
 function drawTitle({ title, lines }: TitleFacts, x: number, top: number): SheetItem[] {
   let y = top + 4 + TEXT_SIZES.title;
-  const text = shorten(title, TEXT_SIZES.title, TITLE_WIDTH);
+  const text = shorten(title, TEXT_SIZES.title, TITLE_WIDTH - ARROW.column);
   const items: SheetItem[] = [
     { kind: 'text', size: 'title', x, y, text, anchor: 'start', id: 'sheet-title' },
   ];
   y += 1.5;
   for (const line of lines) {
     y += LINE_HEIGHT;
-    const short = shorten(line, TEXT_SIZES.label, TITLE_WIDTH);
+    const short = shorten(line, TEXT_SIZES.label, TITLE_WIDTH - ARROW.column);
     items.push({ kind: 'text', size: 'label', x, y, text: short, anchor: 'start' });
   }
   return items;
+}
+
+/** Where the scan's y axis points on the sheet. */
+function drawHeading(turn: number, x: number, y: number): SheetItem[] {
+  const [right, up] = [-Math.sin(turn), Math.cos(turn)];
+  const at = (along: number, aside: number) => [
+    x + along * right + aside * up,
+    y - along * up + aside * right,
+  ];
+  const { reach, head, half } = ARROW;
+  const tip = at(reach, 0);
+  const shaft = Float64Array.of(...at(-reach, 0), ...tip);
+  const point = Float64Array.of(...tip, ...at(reach - head, half), ...at(reach - head, -half));
+  const [labelX, labelY] = at(reach + TEXT_SIZES.label / 2 + 0.8, 0);
+  return [
+    { kind: 'path', style: 'rule', lines: [shaft], isClosed: false },
+    { kind: 'path', style: 'scaleBar', lines: [point], isClosed: true },
+    {
+      kind: 'text',
+      size: 'label',
+      x: labelX,
+      y: labelY + TEXT_SIZES.label / 3,
+      text: 'y',
+      anchor: 'middle',
+    },
+  ];
 }
 
 function drawScaleBar(scale: number, left: number, top: number): SheetItem[] {

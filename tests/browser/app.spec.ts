@@ -97,6 +97,53 @@ test('an error says what was found and what to try, and the last plan stays', as
   await expect(page.getByTestId('status')).toHaveText('Plan ready');
 });
 
+test('warnings call a parameter by the label of its control, and many of them fold', async ({ page }) => {
+  await page.goto('./?src=');
+  // A slice at one height with gaps in its walls: its unit, its height and its gaps are all guessed.
+  const gappy = roomCsv(0.02)
+    .split('\n')
+    .filter((line, i) => {
+      const [x, y, z] = line.split(',').map(Number);
+      return i === 0 || (z === 1 && !(y === 0 && x > 2 && x < 3.2) && !(x === 0 && y > 2 && y < 3));
+    });
+  await dropFile(page, 'gappy.csv', gappy.join('\n'));
+  await expectReady(page);
+  const warnings = page.getByRole('region', { name: 'Warnings' });
+  await expect(warnings).toBeVisible();
+  const more = warnings.getByRole('button', { name: /^Show \d+ more$/ });
+  await expect(warnings.getByRole('listitem')).toHaveCount(2);
+  await more.click();
+  expect(await warnings.getByRole('listitem').count()).toBeGreaterThan(2);
+  await expect(warnings).toContainText('“Bridge gaps up to”');
+  await expect(warnings).not.toContainText('bridgeGap');
+});
+
+test("feet hold for the levels and a band of one's own", async ({ page }) => {
+  await openPlan(page);
+  await page.getByRole('button', { name: 'ft', exact: true }).click();
+  await expect(page.getByTestId('level-1')).toContainText(/′ \d+″ to .*per ft²/);
+  await page.getByRole('spinbutton', { name: 'From, above the floor' }).fill('3');
+  await page.getByRole('spinbutton', { name: 'to, above the floor' }).fill('6');
+  await page.getByRole('button', { name: 'Use', exact: true }).click();
+  await expectReady(page);
+  const level = await page.evaluate(
+    () => (document.querySelector('floor-plan') as unknown as { options: { level: string } }).options.level,
+  );
+  expect(level).toBe('0.914:1.829');
+  await page.getByRole('button', { name: 'm', exact: true }).click();
+  await expect(page.getByRole('spinbutton', { name: 'From, above the floor' })).toHaveValue('0.914');
+});
+
+test('nothing of the bars is cut off on a small laptop', async ({ page }) => {
+  await page.setViewportSize({ width: 1024, height: 768 });
+  await openPlan(page);
+  const cut = await page
+    .locator('.tools, .bar, .band')
+    .evaluateAll((bars) => bars.map((bar) => bar.scrollWidth - bar.clientWidth));
+  expect(cut.length).toBeGreaterThan(3);
+  expect(Math.max(...cut)).toBe(0);
+});
+
 test('a level can be picked; what came before the level is kept', async ({ page }) => {
   await openPlan(page);
   const before = await page.getByTestId('plan-svg').innerHTML();

@@ -1,10 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import {
   formatArea,
+  formatBand,
   formatCount,
+  formatDensity,
   formatDuration,
   formatLength,
+  fromMetres,
   roundLengths,
+  toMetres,
 } from '../../../src/view/measure.ts';
 
 describe('formatLength', () => {
@@ -24,7 +28,23 @@ describe('formatLength', () => {
   ])('%f m reads %s in feet', (metres, text) => expect(formatLength(metres, 'ft')).toBe(text));
 });
 
+describe('bands of heights', () => {
+  it('keep their decimals, and whole inches', () => {
+    expect(formatBand(0.651, 2, 'm')).toBe('0.65 to 2.00 m');
+    expect(formatBand(0.03, 1.9299, 'ft')).toBe('0′ 1″ to 6′ 4″');
+    expect(formatBand(0, 3.6575, 'ft')).toBe('0′ 0″ to 12′ 0″');
+  });
+  it('are typed in the unit shown and kept in metres', () => {
+    expect([toMetres(1.2, 'm'), toMetres(4, 'ft')]).toEqual([1.2, 1.219]);
+    expect([fromMetres(1.2, 'm'), fromMetres(1.219, 'ft')]).toEqual([1.2, 4]);
+  });
+});
+
 describe('other measures', () => {
+  it('densities', () => {
+    expect(formatDensity(1234.4, 'm')).toBe('1,234 per m²');
+    expect(formatDensity(100 / 0.09290304, 'ft')).toBe('100 per ft²');
+  });
   it('areas', () => {
     expect(formatArea(14.24, 'm')).toBe('14.2 m²');
     expect(formatArea(9.290304, 'ft')).toBe('100 ft²');

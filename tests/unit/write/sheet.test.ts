@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest';
 import type { Ring } from '../../../src/core/types.ts';
 import { drawSheet } from '../../../src/write/draw-sheet.ts';
-import type { LayerName, Sheet, SheetItem } from '../../../src/write/sheet.ts';
+import { frameFacts } from '../../../src/write/frame-json.ts';
+import { type LayerName, mapped, type Sheet, type SheetItem } from '../../../src/write/sheet.ts';
 import { disc, planOf, rectangle, ring, wallAround } from '../solid/plans.ts';
 import { home, productOf } from './products.ts';
 
@@ -18,11 +19,11 @@ async function sheetOf(inner: Ring, thickness = 0.2): Promise<Sheet> {
 test.each([
   ['a cupboard', rectangle(0, 0, 1.6, 1.2), 20, 'A4'],
   ['a room', rectangle(0, 0, 4, 3), 50, 'A4'],
-  ['a home', rectangle(0, 0, 11, 8), 50, 'A3'],
+  ['a home', rectangle(0, 0, 11, 8), 100, 'A4'],
   ['a house', rectangle(0, 0, 18, 14), 100, 'A3'],
   ['a tall house', rectangle(0, 0, 9, 17), 100, 'A4'],
-  ['an office', rectangle(0, 0, 45, 30), 100, 'A2'],
-  ['a hall', rectangle(0, 0, 120, 80), 200, 'A1'],
+  ['an office', rectangle(0, 0, 45, 30), 200, 'A3'],
+  ['a hall', rectangle(0, 0, 120, 80), 500, 'A3'],
   ['a factory', rectangle(0, 0, 400, 250), 500, 'A0'],
   ['a campus', rectangle(0, 0, 1500, 900), 2000, 'A1'],
   ['a town', rectangle(0, 0, 6000, 3000), 10_000, 'A1'],
@@ -36,12 +37,47 @@ test('a deep plan is drawn on paper standing upright', async () => {
   expect(paper.height).toBeGreaterThan(paper.width);
 });
 
+/** A rectangle of w × h metres turned about the origin. */
+function slanted(width: number, height: number, degrees: number): Ring {
+  const [cos, sin] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+  const corners = [0, 0, width, 0, width, height, 0, height];
+  return Float64Array.from(corners, (value, i) =>
+    i % 2 === 0 ? cos * value - sin * corners[i + 1] : sin * corners[i - 1] + cos * value,
+  );
+}
+
+test.each([17, -31, 44])(
+  'a plan slanted by %i° stands square and is measured along its walls',
+  async (by) => {
+    const straight = await sheetOf(rectangle(0, 0, 11, 8));
+    const sheet = await sheetOf(slanted(11, 8, by));
+    expect(texts(layer(sheet, 'dimensions')).sort()).toEqual(texts(layer(straight, 'dimensions')).sort());
+    expect([sheet.scale, sheet.paper]).toEqual([straight.scale, straight.paper]);
+    const [a, b] = sheet.planToSheet;
+    expect((Math.atan2(b, a) * 180) / Math.PI).toBeCloseTo(by, 6);
+    expect(texts(layer(sheet, 'title')).join()).toContain(`turned by ${Math.abs(by)}.0°`);
+    const { sheetToSource } = frameFacts((await productOf()).plan, sheet).sheet;
+    const there = mapped(Float64Array.of(3, 4), sheet.planToSheet);
+    const back = mapped(there, sheetToSource);
+    expect([back[0], back[1]]).toEqual([expect.closeTo(3, 9), expect.closeTo(4, 9)]);
+  },
+);
+
+test('a straight plan and a round one keep the axes of the scan', async () => {
+  for (const inner of [rectangle(0, 0, 11, 8), slanted(11, 8, 0.1), disc(0, 0, 9, 60)]) {
+    const [a, b, c, d] = (await sheetOf(inner)).planToSheet;
+    expect([b, c]).toEqual([0, 0]);
+    expect(d).toBe(-a);
+  }
+});
+
 test('nothing leaves the sheet or runs into the title block', async () => {
   for (const inner of [
     rectangle(0, 0, 4, 3),
     rectangle(-40, 7, 30, 2),
     rectangle(3, 3, 2, 14),
     disc(0, 0, 9, 60),
+    slanted(12, 5, 30),
   ]) {
     const sheet = await sheetOf(inner);
     const { width, height } = sheet.paper;

@@ -16,15 +16,15 @@ test('the sheet is in millimetres, at the scale it says', async () => {
   const svg = drawn(await productOf(home(), 'Home'));
   const [, , width, height] = numbers(svg.getAttribute('viewBox'));
   expect([svg.getAttribute('width'), svg.getAttribute('height')]).toEqual([`${width}mm`, `${height}mm`]);
-  expect([width, height]).toEqual([420, 297]);
-  expect(svg.getAttribute('data-scale')).toBe('50');
+  expect([width, height]).toEqual([297, 210]);
+  expect(svg.getAttribute('data-scale')).toBe('100');
   const [k, , , , e, f] = numbers(svg.getAttribute('data-plan-to-sheet'));
   const wall = vertices(svg.byId('wall-0')!);
   const [x, y] = wall.map((vertex) => vertex).reduce((a, b) => (a[0] + a[1] > b[0] + b[1] ? a : b));
   // The south-east corner of the home, 12 m east and 0 m north.
   expect(x).toBeCloseTo(12 * k + e, 3);
   expect(y).toBeCloseTo(f, 3);
-  expect(k).toBe(1000 / 50);
+  expect(k).toBe(1000 / 100);
 });
 
 test('every layer is a group with an id, and points are off', async () => {
