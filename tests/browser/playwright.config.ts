@@ -1,7 +1,9 @@
 import { defineConfig } from '@playwright/test';
 import { launchOptions } from './chromium.ts';
 
-const PORT = 4183;
+/** Two checkouts may be tested side by side; the workers inherit the choice of the first process. */
+process.env.GRUNDRISS_TEST_PORT ??= String(20_000 + (process.pid % 20_000));
+const PORT = Number(process.env.GRUNDRISS_TEST_PORT);
 
 export default defineConfig({
   testDir: '.',
