@@ -73,25 +73,25 @@ test('?src= loads a scan by its address', async ({ page }) => {
 
 test('cancel stops a run and keeps the last plan', async ({ page }) => {
   await openPlan(page);
-  const before = await page.getByTestId('plan-svg').innerHTML();
+  const before = await page.getByTestId('plan-svg').locator('svg').innerHTML();
   await dropFile(page, 'big.csv', roomCsv(0.0075));
   await expect(page.getByTestId('progress')).toBeVisible();
   await page.getByTestId('cancel').click();
   await expect(page.getByTestId('status')).toHaveText('Plan ready');
   await expect(page.getByTestId('progress')).toBeHidden();
-  expect(await page.getByTestId('plan-svg').innerHTML()).toBe(before);
+  expect(await page.getByTestId('plan-svg').locator('svg').innerHTML()).toBe(before);
   expect((await download(page, 'geojson')).length).toBeGreaterThan(10);
 });
 
 test('an error says what was found and what to try, and the last plan stays', async ({ page }) => {
   await openPlan(page);
-  const before = await page.getByTestId('plan-svg').innerHTML();
+  const before = await page.getByTestId('plan-svg').locator('svg').innerHTML();
   await dropFile(page, 'letter.ply', 'Dear reader, this is no point cloud.');
   const error = page.getByTestId('error');
   await expect(error).toBeVisible();
   await expect(error.locator('code')).toHaveText(/^input\//);
   await expect(error.locator('.error-hint')).not.toBeEmpty();
-  expect(await page.getByTestId('plan-svg').innerHTML()).toBe(before);
+  expect(await page.getByTestId('plan-svg').locator('svg').innerHTML()).toBe(before);
   await error.getByRole('button', { name: 'Close' }).click();
   await expect(error).toBeHidden();
   await expect(page.getByTestId('status')).toHaveText('Plan ready');
@@ -146,7 +146,7 @@ test('nothing of the bars is cut off on a small laptop', async ({ page }) => {
 
 test('a level can be picked; what came before the level is kept', async ({ page }) => {
   await openPlan(page);
-  const before = await page.getByTestId('plan-svg').innerHTML();
+  const before = await page.getByTestId('plan-svg').locator('svg').innerHTML();
   for (const level of [0, 1, 2])
     await expect(page.getByTestId(`level-${level}`)).toContainText(/points.*per m²/);
   const chosen = await page.locator('.level[aria-pressed=true]').getAttribute('data-testid');
@@ -154,26 +154,26 @@ test('a level can be picked; what came before the level is kept', async ({ page 
   await page.getByTestId(other).click();
   await expect(page.getByTestId(other)).toHaveAttribute('aria-pressed', 'true');
   await expectReady(page);
-  expect(await page.getByTestId('plan-svg').innerHTML()).not.toBe(before);
+  expect(await page.getByTestId('plan-svg').locator('svg').innerHTML()).not.toBe(before);
   expect(await stagesRun(page)).not.toContain('read');
   expect(await stagesRun(page)).toContain('level');
 });
 
 test('a changed parameter runs again from its stage only, and can be undone', async ({ page }) => {
   await openPlan(page);
-  const before = await page.getByTestId('plan-svg').innerHTML();
+  const before = await page.getByTestId('plan-svg').locator('svg').innerHTML();
   await page.locator('[data-stage=plan] > summary').click();
   const thickness = page.getByRole('spinbutton', { name: 'Wall thickness' });
   await thickness.fill('0.5');
   await thickness.press('Enter');
   await expect.poll(() => stagesRun(page)).toEqual(['plan', 'solid']);
-  const changed = await page.getByTestId('plan-svg').innerHTML();
+  const changed = await page.getByTestId('plan-svg').locator('svg').innerHTML();
   expect(changed).not.toBe(before);
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(thickness).toHaveValue('0.2');
-  await expect.poll(() => page.getByTestId('plan-svg').innerHTML()).toBe(before);
+  await expect.poll(() => page.getByTestId('plan-svg').locator('svg').innerHTML()).toBe(before);
   await page.getByRole('group', { name: /^Floor plan/ }).press('Control+Shift+z');
-  await expect.poll(() => page.getByTestId('plan-svg').innerHTML()).toBe(changed);
+  await expect.poll(() => page.getByTestId('plan-svg').locator('svg').innerHTML()).toBe(changed);
 });
 
 test('the number of structures brings a choice of operation for each', async ({ page }) => {
