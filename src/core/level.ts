@@ -15,8 +15,8 @@ const FEWEST_POINTS = 3;
 
 /** The height levels of a cloud and the points of the one chosen. */
 export interface ChosenLevel {
-  /** Lowest first. */
-  readonly levels: readonly [Level, Level, Level];
+  /** The three, lowest first. */
+  readonly levels: readonly Level[];
   /** Which of them; null for a height band of one's own. */
   readonly chosen: 0 | 1 | 2 | null;
   /** Heights above the floor, m. */
@@ -68,7 +68,7 @@ export function chooseLevel(
     points: points.length,
     chosen: k === chosen,
   }));
-  return { levels: levels as unknown as [Level, Level, Level], chosen, band: bounds, indices };
+  return { levels, chosen, band: bounds, indices };
 }
 
 /**

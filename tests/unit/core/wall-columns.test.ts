@@ -3,6 +3,7 @@ import { chooseLevel } from '../../../src/core/level.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
 import type { PointCloud, Warning } from '../../../src/core/types.ts';
 import { findWallPoints } from '../../../src/core/wall-columns.ts';
+import { makeCloud } from './made-scan.ts';
 
 /** A wall along x at y = 0 up to `top`, and a window's reveal behind it from 0.9 to 2.1 m, points 2 cm apart. */
 function wallWithReveal(top: number): { cloud: PointCloud; kept: Uint32Array } {
@@ -13,25 +14,7 @@ function wallWithReveal(top: number): { cloud: PointCloud; kept: Uint32Array } {
   for (let z = 0.9; z < 2.1; z += 0.02) {
     for (let y = 0.02; y < 0.36; y += 0.02) positions.push(1, y, z);
   }
-  const frame = {
-    origin: [0, 0, 0],
-    planOrigin: [0, 0, 0],
-    rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1],
-    metresPerUnit: 1,
-    unit: 'm',
-    up: 'z',
-    tilt: 0,
-  } as const;
-  const reasons = { unit: '', up: '' };
-  const cloud = {
-    frame,
-    positions: Float32Array.from(positions),
-    attributes: {},
-    floor: 0,
-    ceiling: 2.8,
-    reasons,
-    isFlat: false,
-  };
+  const cloud = makeCloud(positions, { floor: 0, ceiling: 2.8 });
   return { cloud, kept: Uint32Array.from({ length: positions.length / 3 }, (_, i) => i) };
 }
 
