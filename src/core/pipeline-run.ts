@@ -1,6 +1,7 @@
 import type { StageContext, StrokeTest } from './context.ts';
 import { FloorPlanError } from './errors.ts';
 import { type Options, PARAM_NAMES, PARAMS } from './params.ts';
+import type { StageResults } from './stage-results.ts';
 import { STAGE_NAMES, STAGES, type StageName } from './stages.ts';
 import type { Warning } from './types.ts';
 
@@ -66,6 +67,8 @@ export class PipelineRun {
   readonly stages: StageReport[] = [];
   /** Of all stages so far, the one under way included. */
   readonly warnings: Warning[] = [];
+  /** Of all stages done so far. */
+  readonly results: { -readonly [S in StageName]?: StageResults[S] } = {};
   readonly #cache: StageCache;
   readonly #hooks: PipelineHooks;
   readonly #control: RunControl;
@@ -83,18 +86,19 @@ export class PipelineRun {
    * @param outcome what came out, in words, for the rail
    * @throws cancelled, and whatever `work` throws
    */
-  async stage<T>(
-    name: StageName,
+  async stage<S extends StageName>(
+    name: S,
     options: Options,
-    work: (context: StageContext) => T | Promise<T>,
-    outcome: (output: T) => string,
-  ): Promise<T> {
+    work: (context: StageContext) => StageResults[S] | Promise<StageResults[S]>,
+    outcome: (output: StageResults[S]) => string,
+  ): Promise<StageResults[S]> {
     this.#key = `${this.#key}\n${stageKey(name, options)}`;
     const cached = this.#cache.get(name, this.#key);
     if (cached) {
       this.warnings.push(...cached.warnings);
       this.stages.push({ name, ms: 0, isCached: true, outcome: cached.outcome });
-      return cached.output as T;
+      this.results[name] = cached.output as StageResults[S];
+      return cached.output as StageResults[S];
     }
     await this.#hooks.breathe?.();
     this.#throwIfCancelled();
@@ -114,6 +118,7 @@ export class PipelineRun {
     const words = outcome(output);
     this.#cache.set(name, { key: this.#key, output, warnings, outcome: words });
     this.stages.push({ name, ms, isCached: false, outcome: words });
+    this.results[name] = output;
     this.#progress(name, 1);
     return output;
   }

@@ -25,9 +25,13 @@ export function findSecondary(
 ): SecondaryResult {
   const count = options.secondaryCount;
   if (count === 0 || regularised.polygons.length === 0)
-    return { clusters: new Uint8Array(0), boundaries: [] };
+    return { clusters: new Uint8Array(0), searches: [], boundaries: [] };
   const search = options.secondaryMethod === 'paper' ? findByClusters : findDetachedGroups;
-  const { clusters, found }: StructureSearch = search(slice, regularised.polygons, options, context);
+  const {
+    clusters,
+    found,
+    searches = [],
+  }: StructureSearch = search(slice, regularised.polygons, options, context);
   if (found.length < count) {
     context.warn({
       code: 'secondary/fewer-found',
@@ -38,7 +42,7 @@ export function findSecondary(
           : 'Try a level without furniture, or the paper method.',
     });
   }
-  return { clusters, boundaries: found.map((structure, k) => asBoundary(structure, k, options)) };
+  return { clusters, searches, boundaries: found.map((structure, k) => asBoundary(structure, k, options)) };
 }
 
 function asBoundary(

@@ -152,10 +152,30 @@ export interface SecondaryBoundary {
   readonly points: number;
 }
 
+/** One round of [Stojanovic19] Algorithms 1 and 2 on one cluster. Points x, y each, m. */
+export interface SecondaryRound {
+  /** The points Algorithm 1 keeps: inside the boundary before and near the cluster's centre. */
+  readonly near: Float64Array;
+  /** Their concave outline, regularised (Fig. 3c). */
+  readonly outline: Ring | null;
+  /** The points the stroke along that outline does not cover. */
+  readonly innermost: Float64Array;
+  /** Their concave outline, regularised (Fig. 3d). */
+  readonly result: Ring | null;
+}
+
+/** How the paper's method came to one structure: the cluster it took and every round within it. */
+export interface ClusterSearch {
+  readonly cluster: number;
+  readonly rounds: readonly SecondaryRound[];
+}
+
 /** What the search for secondary boundaries saw on its way ([Stojanovic19] §3.1, Fig. 3). */
 export interface SecondaryResult {
   /** Cluster of each slice point; empty where no clustering ran. */
   readonly clusters: Uint8Array;
+  /** One a cluster taken for a structure; empty for the method `robust`. */
+  readonly searches: readonly ClusterSearch[];
   readonly boundaries: readonly SecondaryBoundary[];
 }
 

@@ -3,6 +3,7 @@ import { resolveOptions } from '../core/options.ts';
 import type { Options } from '../core/params.ts';
 import { planScan } from '../core/pipeline.ts';
 import { type PipelineHooks, PipelineRun, type RunControl, StageCache } from '../core/pipeline-run.ts';
+import type { StageResults } from '../core/stage-results.ts';
 import { readScan } from '../read/read-scan.ts';
 import type { ByteSource } from '../read/source.ts';
 import { makeSolid } from '../solid/make-solid.ts';
@@ -31,6 +32,7 @@ export class Session {
   readonly #hooks: PipelineHooks;
   #open: OpenSource | null = null;
   #result: RunResult | null = null;
+  #evidence: Partial<StageResults> = {};
 
   /** @param hooks what the environment does better than its defaults: a clock, a canvas, a pause between stages */
   constructor(hooks: Partial<PipelineHooks> = {}) {
@@ -40,6 +42,11 @@ export class Session {
   /** The last good run. */
   get result(): RunResult | null {
     return this.#result;
+  }
+
+  /** What the stages of the last run made, as far as it got: a run that failed has those before the failing stage. */
+  get evidence(): Partial<StageResults> {
+    return this.#evidence;
   }
 
   /** Reads a scan and makes its plan. @throws FloorPlanError */
@@ -74,6 +81,7 @@ export class Session {
     control: SessionControl,
   ): Promise<RunResult> {
     const run = new PipelineRun(cache, this.#hooks, control);
+    this.#evidence = run.results;
     const readOptions = resolveOptions(given);
     const scan = await run.stage(
       'read',

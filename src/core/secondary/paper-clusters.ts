@@ -3,7 +3,7 @@ import { pointInPolygon } from '../geometry/rings.ts';
 import { type Clusters, clusterPoints } from '../kmeans.ts';
 import type { Options } from '../params.ts';
 import { createRandom, type Random } from '../random.ts';
-import type { Polygon, Ring, Slice } from '../types.ts';
+import type { ClusterSearch, Polygon, Ring, SecondaryRound, Slice } from '../types.ts';
 import { averageDistance } from './average-distance.ts';
 import { outlinePoints } from './outline-points.ts';
 import { pointsInStroke } from './points-in-stroke.ts';
@@ -37,14 +37,16 @@ export function findByClusters(
   const clusters = clusterPoints(slice.xy, options.secondaryCount + 1, options.seed);
   const random = createRandom(options.seed);
   const found: FoundStructure[] = [];
+  const searches: ClusterSearch[] = [];
   for (const cluster of structureClusters(slice, clusters, primary, options)) {
     const points = pickPoints(slice.xy, (i) => clusters.clusterOf[i] === cluster);
     const centre = [clusters.centres[2 * cluster], clusters.centres[2 * cluster + 1]] as const;
-    const structure = refine({ points, centre, random }, primary, options, context);
+    const { structure, rounds } = refine({ points, centre, random }, primary, options, context);
+    searches.push({ cluster, rounds });
     if (structure) found.push(structure);
-    context.progress(found.length / options.secondaryCount);
+    context.progress(searches.length / options.secondaryCount);
   }
-  return { clusters: clusters.clusterOf, found };
+  return { clusters: clusters.clusterOf, found, searches };
 }
 
 /** Numbers of the clusters taken for structures, most points first. */
@@ -75,18 +77,21 @@ function refine(
   primary: readonly Polygon[],
   options: Options,
   context: StageContext,
-): FoundStructure | null {
+): { readonly structure: FoundStructure | null; readonly rounds: readonly SecondaryRound[] } {
   let previous = primary;
   let structure: FoundStructure | null = null;
+  const rounds: SecondaryRound[] = [];
   for (let round = 0; round < options.secondaryRounds; round++) {
-    const inner = generateSecondaryBounds(cluster, previous, options);
-    const points = innermostPoints(inner, options, context);
-    const outline = outlinePoints(points, options, context);
-    if (!outline) break;
-    structure = { outline, type: typeOf(outline, points), points: points.length / 2 };
-    previous = [{ outer: outline, holes: [] }];
+    const near = generateSecondaryBounds(cluster, previous, options);
+    const outline = outlinePoints(near, options, context);
+    const innermost = outline ? pointsOffStroke(near, outline, options, context) : near.subarray(0, 0);
+    const result = outlinePoints(innermost, options, context);
+    rounds.push({ near, outline, innermost, result });
+    if (!result) break;
+    structure = { outline: result, type: typeOf(result, innermost), points: innermost.length / 2 };
+    previous = [{ outer: result, holes: [] }];
   }
-  return structure;
+  return { structure, rounds };
 }
 
 /**
@@ -106,15 +111,13 @@ function generateSecondaryBounds(
   });
 }
 
-/** Algorithm 2: the points a stroke along the concave outline of them all does not cover. */
-function innermostPoints(
+/** Algorithm 2: the points that a stroke along their concave outline does not cover. */
+function pointsOffStroke(
   points: Float64Array,
-  options: Options,
-  { strokeTest, ...context }: StageContext,
+  outline: Ring,
+  { strokeWidth, pixelsPerMetre }: Options,
+  { strokeTest }: StageContext,
 ): Float64Array {
-  const outline: Ring | null = outlinePoints(points, options, { strokeTest, ...context });
-  if (!outline) return new Float64Array(0);
-  const { strokeWidth, pixelsPerMetre } = options;
   const isCovered = pointsInStroke(points, outline, { width: strokeWidth, pixelsPerMetre, strokeTest });
   return pickPoints(points, (i) => isCovered[i] === 0);
 }

@@ -1,6 +1,6 @@
 import { boundsOf, pointInRing } from '../geometry/rings.ts';
 import { squaredDistanceToSegment } from '../geometry/segments.ts';
-import type { Polygon, Ring, SecondaryBoundary } from '../types.ts';
+import type { ClusterSearch, Polygon, Ring, SecondaryBoundary } from '../types.ts';
 
 /** A structure whose bounding box has no longer side than this, m, may be a column. */
 const LONGEST_COLUMN = 1.5;
@@ -23,6 +23,8 @@ export interface StructureSearch {
   /** Cluster of each slice point. */
   readonly clusters: Uint8Array;
   readonly found: readonly FoundStructure[];
+  /** How the paper's method came to them. */
+  readonly searches?: readonly ClusterSearch[];
 }
 
 /**

@@ -89,7 +89,7 @@ describe('makePlan', () => {
         gaps: gapWidth > 0 ? [gap] : [],
       },
       regularised: { passes: [], polygons: [RECTANGLE] },
-      secondary: { clusters: new Uint8Array(0), boundaries: [] },
+      secondary: { clusters: new Uint8Array(0), searches: [], boundaries: [] },
       options: resolveOptions(given),
     };
     const plan = makePlan(parts, context);

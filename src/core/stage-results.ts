@@ -1,0 +1,26 @@
+import type { ChosenLevel } from './level.ts';
+import type {
+  Boundary,
+  FloorPlan,
+  PointCloud,
+  RegularisedBoundary,
+  Scan,
+  SecondaryResult,
+  Slice,
+  Solid,
+} from './types.ts';
+
+/** What each stage makes; a run that failed holds those before the failing stage. */
+export interface StageResults {
+  readonly read: Scan;
+  readonly frame: PointCloud;
+  /** Indices of the points that are no outliers. */
+  readonly outliers: Uint32Array;
+  readonly level: ChosenLevel;
+  readonly slice: Slice;
+  readonly boundary: Boundary;
+  readonly regularise: RegularisedBoundary;
+  readonly secondary: SecondaryResult;
+  readonly plan: FloorPlan;
+  readonly solid: Solid;
+}
