@@ -295,6 +295,14 @@ export const PARAMS = {
     doc: 'Drop vertices whose triangle with their neighbours is smaller than the area ε.',
     source: '[Stojanovic19] §3',
   }),
+  cornerPass: flag({
+    default: true,
+    paper: false,
+    stage: 'regularise',
+    label: 'Corner pass',
+    doc: 'Fit a line to the points of each edge and let neighbouring lines meet: sharp corners, without the outer noise.',
+    source: 'ours',
+  }),
   epsilon: autoNumber({
     default: 'auto',
     paper: px(2.4),

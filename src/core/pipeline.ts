@@ -84,7 +84,7 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
   const regularised = await run.stage(
     'regularise',
     options,
-    () => regulariseBoundary(boundary, slice, options),
+    (context) => regulariseBoundary(boundary, slice, options, context),
     ({ polygons }) => count(vertexCount(polygons), 'vertex', 'vertices'),
   );
   const secondary = await run.stage(

@@ -19,7 +19,7 @@ export async function benchPaperSlice(): Promise<readonly Figure[]> {
       throw new Error('The primary boundary needs no canvas.');
     },
   };
-  const once = () => regulariseBoundary(findBoundary(slice, options, context), slice, options);
+  const once = () => regulariseBoundary(findBoundary(slice, options, context), slice, options, context);
   for (let i = 0; i < WARM_UP; i++) once();
   const start = performance.now();
   for (let i = 0; i < RUNS; i++) once();
