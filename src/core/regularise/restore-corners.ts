@@ -13,10 +13,12 @@ const LEAST_BANDWIDTH = 0.025;
 const REACH = 3;
 /** A corner moves by at most this many bandwidths: further off, the lines do not belong together. */
 const FARTHEST_CORNER = 4;
-/** Lines that turn by less meet too far along to tell where: a curve, or one wall in two pieces. Sine of 15°. */
-const LEAST_SINE = Math.sin((15 * Math.PI) / 180);
+/** Lines that turn by less meet too far along to tell where: a curve, or one wall in two pieces. Sine of 8°. */
+const LEAST_SINE = Math.sin((8 * Math.PI) / 180);
 /** Edges shorter than this many bandwidths have no direction of their own. */
 const SHORTEST_EDGE = 2;
+/** Steps of this many standard deviations are noise. */
+const NOISES = 2;
 /** A merged edge is fitted again and may merge again. */
 const MOST_ROUNDS = 4;
 
@@ -98,23 +100,38 @@ class RingRefining {
     return fitWallLine(this.points, strip, this.bandwidth);
   }
 
-  /** Null for an edge too short. */
+  /** Along the hull the edge stands for, which the ends alone, outermost of the noise, may lie askew to. Null when too short. */
   private stripAlong(from: number, to: number): Strip | null {
-    const [x, y] = vertexOf(this.ring, from);
+    const [ax, ay] = vertexOf(this.ring, from);
     const [bx, by] = vertexOf(this.ring, to);
-    const length = Math.hypot(bx - x, by - y);
+    const length = Math.hypot(bx - ax, by - ay);
     if (length < SHORTEST_EDGE * this.bandwidth) return null;
-    const [ux, uy] = [(bx - x) / length, (by - y) / length];
+    const chain = this.chainBetween(from, to);
+    const [x, y, ux, uy] = directionOf(chain);
+    if (ux * (bx - ax) + uy * (by - ay) < length / 2) return null;
+    const start = (ax - x) * ux + (ay - y) * uy;
+    const end = (bx - x) * ux + (by - y) * uy;
     // The neighbours' points end where their own noise does.
     const margin = Math.min(this.bandwidth, length / 4);
     let [low, high] = [0, 0];
-    const n = this.hull.length / 2;
-    for (let v = this.places[from]; v !== this.places[to]; v = (v + 1) % n) {
-      const across = (this.hull[2 * v + 1] - y) * ux - (this.hull[2 * v] - x) * uy;
+    for (let k = 0; k < chain.length; k += 2) {
+      const across = (chain[k + 1] - y) * ux - (chain[k] - x) * uy;
       low = Math.min(low, across);
       high = Math.max(high, across);
     }
-    return { x, y, ux, uy, along: [margin, length - margin], across: [low, high + REACH * this.bandwidth] };
+    return { x, y, ux, uy, along: [start + margin, end - margin], across: [low, high + REACH * this.bandwidth] };
+  }
+
+  private chainBetween(from: number, to: number): Float64Array {
+    const n = this.hull.length / 2;
+    const steps = (this.places[to] - this.places[from] + n) % n;
+    const chain = new Float64Array(2 * steps + 2);
+    for (let k = 0; k <= steps; k++) {
+      const v = (this.places[from] + k) % n;
+      chain[2 * k] = this.hull[2 * v];
+      chain[2 * k + 1] = this.hull[2 * v + 1];
+    }
+    return chain;
   }
 
   private place(lines: readonly (WallLine | null)[]): Point[] {
@@ -145,23 +162,24 @@ class RingRefining {
     if (one === null || other === null) return false;
     const noise = Math.max(one.deviation, other.deviation);
     const squared = squaredDistanceToSegment(...placed[k], ...placed[before], ...placed[after]);
-    return one.ux * other.ux + one.uy * other.uy > 0 && squared <= noise * noise;
+    return one.ux * other.ux + one.uy * other.uy > 0 && squared <= (NOISES * noise) ** 2;
   }
 
   /** Whether the edge to vertex k is too short for a line and stands where the lines beside it meet, or are one. */
   private isCutCorner(lines: readonly (WallLine | null)[], edge: number, k: number): boolean {
     const n = lines.length;
     const [one, other] = [lines[(edge + n - 1) % n], lines[k]];
-    if (lines[edge] !== null || one === null || other === null) return false;
+    if (one === null || other === null) return false;
     const a = vertexOf(this.ring, this.kept[edge]);
     const b = vertexOf(this.ring, this.kept[k]);
     if (Math.hypot(a[0] - b[0], a[1] - b[1]) > FARTHEST_CORNER * this.bandwidth) return false;
     const corner = meetingOf(one, other);
+    const noise = NOISES * Math.max(one.deviation, other.deviation);
     if (corner === null) {
       if (one.ux * other.ux + one.uy * other.uy < 0) return false;
-      const noise = Math.max(one.deviation, other.deviation);
       return Math.abs(distanceTo(one, b)) <= noise && Math.abs(distanceTo(other, a)) <= noise;
     }
+    if (lines[edge] !== null && squaredDistanceToSegment(...corner, ...a, ...b) > noise ** 2) return false;
     const reach = FARTHEST_CORNER * this.bandwidth;
     return Math.hypot(corner[0] - a[0], corner[1] - a[1]) <= reach && Math.hypot(corner[0] - b[0], corner[1] - b[1]) <= reach;
   }
@@ -207,4 +225,27 @@ function placesOf(ring: Ring, hull: Ring): number[] {
     while (hull[2 * at] !== ring[2 * v] || hull[2 * at + 1] !== ring[2 * v + 1]) at = (at + 1) % n;
     return at;
   });
+}
+
+/** Middle and direction of a chain, by total least squares over its length. */
+function directionOf(chain: Float64Array): readonly [x: number, y: number, ux: number, uy: number] {
+  const [x0, y0] = chain;
+  let [sum, sumX, sumY, sumXX, sumXY, sumYY] = [0, 0, 0, 0, 0, 0];
+  for (let k = 0; k + 3 < chain.length; k += 2) {
+    const [dx, dy] = [chain[k + 2] - chain[k], chain[k + 3] - chain[k + 1]];
+    const weight = Math.hypot(dx, dy);
+    const [x, y] = [chain[k] + dx / 2 - x0, chain[k + 1] + dy / 2 - y0];
+    sum += weight;
+    sumX += weight * x;
+    sumY += weight * y;
+    sumXX += weight * (x * x + (dx * dx) / 12);
+    sumXY += weight * (x * y + (dx * dy) / 12);
+    sumYY += weight * (y * y + (dy * dy) / 12);
+  }
+  const [x, y] = [sumX / sum, sumY / sum];
+  const angle = Math.atan2(2 * (sumXY / sum - x * y), sumXX / sum - x * x - (sumYY / sum - y * y)) / 2;
+  const [ux, uy] = [Math.cos(angle), Math.sin(angle)];
+  const end = chain.length - 2;
+  const sign = ux * (chain[end] - x0) + uy * (chain[end + 1] - y0) < 0 ? -1 : 1;
+  return [x0 + x, y0 + y, sign * ux, sign * uy];
 }
