@@ -9,6 +9,7 @@ export type { StrokeTest } from './core/context.ts';
 export { type ErrorCode, FloorPlanError } from './core/errors.ts';
 export { parseParam, resolveOptions } from './core/options.ts';
 export {
+  type GivenValues,
   kebabCase,
   type Options,
   PARAM_NAMES,

@@ -1,6 +1,6 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { parseParam } from '../core/options.ts';
-import { kebabCase, type Options, PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
+import { type GivenValues, kebabCase, PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
 import { SIDECARS, WRITE_FORMATS, type WriteFormatName } from '../write/formats.ts';
 
 /** What a person asked of the command. */
@@ -8,7 +8,7 @@ export interface Command {
   readonly inputs: readonly string[];
   readonly folder: string;
   readonly formats: readonly string[];
-  readonly options: Partial<Options>;
+  readonly options: GivenValues;
   /** Errors as JSON. */
   readonly isJson: boolean;
   readonly task: 'run' | 'help' | 'version';
@@ -23,7 +23,7 @@ const PARAM_OF_FLAG = new Map<string, ParamName>(PARAM_NAMES.map((name) => [`--$
  */
 export function parseArguments(words: readonly string[]): Command {
   const inputs: string[] = [];
-  const options: Partial<Options> = {};
+  const options: GivenValues = {};
   let folder = '';
   let formats: readonly string[] = Object.keys(WRITE_FORMATS);
   let isJson = false;

@@ -27,7 +27,7 @@ The last line of standard output is the report as JSON.
 Formats (all, unless --formats names some; report.json always):
 ${writes.join('\n')}
 
-Parameters:${params.join('\n')}
+Parameters (lengths and areas also with a unit: 24mm, 2.4px, 1ft, 5cm2):${params.join('\n')}
 
 Exit codes: 0 done, 2 options, 3 input, 4 no plan, 5 environment, 70 a bug, 130 cancelled.
 `;

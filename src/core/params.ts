@@ -1,3 +1,4 @@
+import type { AreaText, LengthText } from './quantity.ts';
 import type { StageName } from './stages.ts';
 
 /** A length or area in the paper's canvas pixels; `pixelsPerMetre` turns it into metres or square metres. */
@@ -478,6 +479,15 @@ type ValueOf<Row> = Row extends RowFacts<infer T> ? T : never;
 
 /** One value for every row of {@link PARAMS}. */
 export type Options = { readonly [K in ParamName]: ValueOf<(typeof PARAMS)[K]> };
+
+type GivenValue<Row> = Row extends { readonly unit: 'm' }
+  ? ValueOf<Row> | LengthText
+  : Row extends { readonly unit: 'm²' }
+    ? ValueOf<Row> | AreaText
+    : ValueOf<Row>;
+
+/** What a person may give: any of the {@link Options}, lengths and areas also as text with a unit: `24mm`, `2.4px`. */
+export type GivenValues = { readonly [K in ParamName]?: GivenValue<(typeof PARAMS)[K]> };
 
 export const PARAM_NAMES = Object.keys(PARAMS) as readonly ParamName[];
 

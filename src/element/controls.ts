@@ -1,4 +1,4 @@
-import { type Options, PARAMS, type ParamName, type ParamRow } from '../core/params.ts';
+import { type GivenValues, PARAMS, type ParamName, type ParamRow } from '../core/params.ts';
 import type { Field, FieldFacts } from './field.ts';
 import { icon } from './icon.ts';
 import { listField } from './list-field.ts';
@@ -12,7 +12,7 @@ export function makeControl(name: ParamName, actions: Actions): Panel {
   const row: ParamRow = PARAMS[name];
   const id = `param-${name}`;
   const change = (value: unknown, isFinal: boolean) =>
-    actions.change({ [name]: value } as Partial<Options>, isFinal);
+    actions.change({ [name]: value } as GivenValues, isFinal);
   const field = makeField({ id, name, row, change });
   const reset = make(
     'button',

@@ -1,6 +1,6 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { parseParam, resolveOptions } from '../core/options.ts';
-import type { Options, ParamName } from '../core/params.ts';
+import type { GivenValues, ParamName } from '../core/params.ts';
 import type { FloorPlan } from '../core/types.ts';
 import { nameOf } from '../read/url-source.ts';
 import type { DisplayUnit } from '../view/measure.ts';
@@ -79,11 +79,11 @@ export class FloorPlanElement extends Base {
   }
 
   /** Parameters given so far. @throws option/unknown, option/invalid when set to what {@link Options} does not allow */
-  get options(): Partial<Options> {
+  get options(): GivenValues {
     return { ...this.#given.now };
   }
 
-  set options(options: Partial<Options>) {
+  set options(options: GivenValues) {
     resolveOptions(options);
     this.#given.replace(options);
     this.#scheduleRun(0);
@@ -177,7 +177,10 @@ export class FloorPlanElement extends Base {
 
   #takeParam(param: ParamName, text: string | null): void {
     try {
-      this.#given.begin(param, text === null ? {} : parseParam(param, text));
+      const value = text === null ? {} : parseParam(param, text);
+      // A quantity in pixels is judged beside the pixels' size.
+      resolveOptions({ ...this.#given.now, ...value });
+      this.#given.begin(param, value);
       this.#scheduleRun(0);
     } catch (error) {
       this.#maker.complain(error as Error);

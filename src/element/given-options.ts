@@ -1,14 +1,14 @@
-import type { Options, ParamName } from '../core/params.ts';
+import type { GivenValues, ParamName } from '../core/params.ts';
 import { History } from './history.ts';
 
 /** The parameters a person has given, and the way back to those before. */
 export class GivenOptions {
-  readonly #history = new History<Partial<Options>>();
-  #now: Partial<Options> = {};
+  readonly #history = new History<GivenValues>();
+  #now: GivenValues = {};
   /** As they were before the slider under the hand moved. */
-  #before: Partial<Options> | null = null;
+  #before: GivenValues | null = null;
 
-  get now(): Partial<Options> {
+  get now(): GivenValues {
     return this.#now;
   }
 
@@ -21,19 +21,19 @@ export class GivenOptions {
   }
 
   /** Sets all, as one step that can be undone. */
-  replace(options: Partial<Options>): void {
+  replace(options: GivenValues): void {
     this.#history.leave(this.#now);
     this.#now = { ...options };
   }
 
   /** Sets or, where `value` is empty, forgets one parameter, without a step: what markup says is where a person begins. */
-  begin(name: ParamName, value: Partial<Options>): void {
+  begin(name: ParamName, value: GivenValues): void {
     const { [name]: _, ...others } = this.#now;
     this.#now = { ...others, ...value };
   }
 
   /** @param isFinal false while a slider is on its way: a whole slide is one step */
-  change(change: Partial<Options>, isFinal: boolean): void {
+  change(change: GivenValues, isFinal: boolean): void {
     this.#before ??= this.#now;
     this.#now = { ...this.#now, ...change };
     if (!isFinal) return;
@@ -56,7 +56,7 @@ export class GivenOptions {
   }
 }
 
-function isEqual(a: Partial<Options>, b: Partial<Options>): boolean {
-  const text = (options: Partial<Options>) => JSON.stringify(Object.entries(options).sort());
+function isEqual(a: GivenValues, b: GivenValues): boolean {
+  const text = (options: GivenValues) => JSON.stringify(Object.entries(options).sort());
   return text(a) === text(b);
 }

@@ -1,4 +1,4 @@
-import type { Options, ParamName } from '../core/params.ts';
+import type { GivenValues, Options, ParamName } from '../core/params.ts';
 import type { Progress } from '../core/pipeline-run.ts';
 import type { Warning } from '../core/types.ts';
 import type { DisplayUnit } from '../view/measure.ts';
@@ -10,7 +10,7 @@ export interface Model {
   readonly state: PlanState;
   readonly view: PlanView | null;
   /** What a person set. */
-  readonly given: Partial<Options>;
+  readonly given: GivenValues;
   /** What holds now: the preset's values, then theirs. */
   readonly options: Options;
   /** Name of the scan shown or being read. */
@@ -35,7 +35,7 @@ export interface Actions {
   open(file: File): void;
   cancel(): void;
   /** @param isFinal false while a slider is on its way */
-  change(change: Partial<Options>, isFinal: boolean): void;
+  change(change: GivenValues, isFinal: boolean): void;
   /** Back to the preset's value. */
   reset(names: readonly ParamName[]): void;
   undo(): void;

@@ -1,5 +1,5 @@
 import { FloorPlanError } from '../core/errors.ts';
-import type { Options } from '../core/params.ts';
+import type { GivenValues } from '../core/params.ts';
 import type { Progress } from '../core/pipeline-run.ts';
 import type { FloorPlan, Warning } from '../core/types.ts';
 import { PlanClient } from '../worker/client.ts';
@@ -102,7 +102,7 @@ export class PlanMaker {
   }
 
   /** Reads a scan and makes its plan. @throws FloorPlanError, `cancelled` among them */
-  async load(source: Source, options: Partial<Options>): Promise<FloorPlan> {
+  async load(source: Source, options: GivenValues): Promise<FloorPlan> {
     this.#next = source;
     this.#pointsSeen = 0;
     const { plan } = await this.#run(() => this.#client.load(source.data, source.name, options));
@@ -111,7 +111,7 @@ export class PlanMaker {
   }
 
   /** Makes the plan again with other parameters: of the scan being read, else of the one shown. @throws FloorPlanError */
-  async update(options: Partial<Options>): Promise<void> {
+  async update(options: GivenValues): Promise<void> {
     if (this.#next) await this.load(this.#next, options);
     else if (this.#source) await this.#run(() => this.#client.update(options));
   }

@@ -1,6 +1,6 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { resolveOptions } from '../core/options.ts';
-import type { Options } from '../core/params.ts';
+import type { GivenValues } from '../core/params.ts';
 import { planScan } from '../core/pipeline.ts';
 import { type PipelineHooks, PipelineRun, type RunControl, StageCache } from '../core/pipeline-run.ts';
 import type { StageResults } from '../core/stage-results.ts';
@@ -50,11 +50,7 @@ export class Session {
   }
 
   /** Reads a scan and makes its plan. @throws FloorPlanError */
-  async load(
-    source: ByteSource,
-    given: Partial<Options> = {},
-    control: SessionControl = {},
-  ): Promise<RunResult> {
+  async load(source: ByteSource, given: GivenValues = {}, control: SessionControl = {}): Promise<RunResult> {
     const opened = { source, cache: new StageCache() };
     const result = await this.#run(opened, given, control);
     this.#open = opened;
@@ -63,7 +59,7 @@ export class Session {
   }
 
   /** Makes the plan again, from the first stage whose parameters changed. @throws FloorPlanError */
-  async update(given: Partial<Options>, control: SessionControl = {}): Promise<RunResult> {
+  async update(given: GivenValues, control: SessionControl = {}): Promise<RunResult> {
     if (!this.#open) throw noScan();
     this.#result = await this.#run(this.#open, given, control);
     return this.#result;
@@ -75,11 +71,7 @@ export class Session {
     return writeFiles(productOf(this.#result), format);
   }
 
-  async #run(
-    { source, cache }: OpenSource,
-    given: Partial<Options>,
-    control: SessionControl,
-  ): Promise<RunResult> {
+  async #run({ source, cache }: OpenSource, given: GivenValues, control: SessionControl): Promise<RunResult> {
     const run = new PipelineRun(cache, this.#hooks, control);
     this.#evidence = run.results;
     const readOptions = resolveOptions(given);

@@ -1,5 +1,5 @@
 import { FloorPlanError, fromPlainError } from '../core/errors.ts';
-import type { Options } from '../core/params.ts';
+import type { GivenValues } from '../core/params.ts';
 import type { Progress } from '../core/pipeline-run.ts';
 import type { Warning } from '../core/types.ts';
 import type { ExportedFile, PlanView, Request, Response } from './protocol.ts';
@@ -24,7 +24,7 @@ interface Pending {
 interface Loaded {
   readonly source: Blob | string;
   readonly name: string;
-  options: Partial<Options>;
+  options: GivenValues;
 }
 
 type RequestBody = Request extends infer R ? (R extends Request ? Omit<R, 'id'> : never) : never;
@@ -52,7 +52,7 @@ export class PlanClient {
   }
 
   /** Reads a scan and makes its plan; a URL is taken relative to the page. @throws FloorPlanError */
-  async load(source: Blob | string, name: string, options: Partial<Options> = {}): Promise<PlanView> {
+  async load(source: Blob | string, name: string, options: GivenValues = {}): Promise<PlanView> {
     if (this.#isRunning) this.cancel();
     const absolute = typeof source === 'string' ? new URL(source, globalThis.document?.baseURI).href : source;
     const loading = { source: absolute, name, options };
@@ -63,7 +63,7 @@ export class PlanClient {
   }
 
   /** Makes the plan again with other options, from the first stage they touch. @throws FloorPlanError */
-  async update(options: Partial<Options>): Promise<PlanView> {
+  async update(options: GivenValues): Promise<PlanView> {
     if (!this.#loaded)
       throw new FloorPlanError('input/empty', 'There is no scan yet.', { hint: 'Load one first.' });
     this.#overtake();

@@ -1,5 +1,5 @@
 import type { PlainError } from '../core/errors.ts';
-import type { Options } from '../core/params.ts';
+import type { GivenValues, Options } from '../core/params.ts';
 import type { Progress, StageReport } from '../core/pipeline-run.ts';
 import type { FloorPlan, Level, SecondaryResult, Slice, Solid } from '../core/types.ts';
 import type { Report } from '../session/report.ts';
@@ -40,9 +40,9 @@ export type Request =
       readonly id: number;
       readonly source: Blob | string;
       readonly name: string;
-      readonly options: Partial<Options>;
+      readonly options: GivenValues;
     }
-  | { readonly kind: 'update'; readonly id: number; readonly options: Partial<Options> }
+  | { readonly kind: 'update'; readonly id: number; readonly options: GivenValues }
   | { readonly kind: 'export'; readonly id: number; readonly format: string };
 
 /** Worker → page. */

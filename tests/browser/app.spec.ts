@@ -163,10 +163,11 @@ test('a changed parameter runs again from its stage only, and can be undone', as
   await openPlan(page);
   const before = await page.getByTestId('plan-svg').locator('svg').innerHTML();
   await page.locator('[data-stage=plan] > summary').click();
-  const thickness = page.getByRole('spinbutton', { name: 'Wall thickness' });
-  await thickness.fill('0.5');
+  const thickness = page.getByRole('textbox', { name: 'Wall thickness' });
+  await thickness.fill('50 cm');
   await thickness.press('Enter');
   await expect.poll(() => stagesRun(page)).toEqual(['plan', 'solid']);
+  await expect(thickness).toHaveValue('0.5');
   const changed = await page.getByTestId('plan-svg').locator('svg').innerHTML();
   expect(changed).not.toBe(before);
   await page.getByRole('button', { name: 'Undo' }).click();

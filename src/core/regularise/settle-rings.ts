@@ -35,7 +35,10 @@ export function settleRings(rings: readonly Ring[], drafts: readonly RingDraft[]
     const result = settling.map(settledRing);
     const conflicts = conflictingEdges(result);
     // The exact tests of turn and nesting are for rings that are simple.
-    const bad = conflicts.length > 0 ? conflicts : [...turnedEdges(rings, result), ...movedIn(settling, result, nesting)];
+    const bad =
+      conflicts.length > 0
+        ? conflicts
+        : [...turnedEdges(rings, result), ...movedIn(settling, result, nesting)];
     if (bad.length === 0) return result;
     if (!giveWay(settling, bad)) return rings;
   }

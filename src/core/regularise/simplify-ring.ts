@@ -2,6 +2,7 @@ import { isCounterClockwise, reverseRing, signedArea } from '../geometry/rings.t
 import type { RegularisationPass, Ring } from '../types.ts';
 import { cutRing, cutVertices, joinLines } from './cut-ring.ts';
 import { douglasPeucker } from './douglas-peucker.ts';
+import { placesIn } from './places-in.ts';
 import { radialDistanceInRing } from './radial-distance.ts';
 import { settleRings } from './settle-rings.ts';
 import { visvalingam } from './visvalingam.ts';
@@ -55,7 +56,7 @@ export function simplifyRings(
   const isTurned = rings.map((ring) => !isCounterClockwise(ring));
   const walked = rings.map((ring, r) => (isTurned[r] ? reverseRing(ring) : ring));
   const wanted = walked.map((ring) => applyPass(ring, pass, tolerances));
-  const drafts = walked.map((ring, r) => ({ kept: placesIn(ring, wanted[r]) }));
+  const drafts = walked.map((ring, r) => ({ kept: placesIn(ring, wanted[r]).sort((a, b) => a - b) }));
   const settled = settleRings(walked, drafts);
   return {
     rings: settled.map((ring, r) => (isTurned[r] ? reverseRing(ring) : ring)),
@@ -74,16 +75,4 @@ function applyPass(ring: Ring, pass: SimplifyingPass, { epsilon, areaEpsilon }: 
 function hasVanished(wanted: Ring, pass: SimplifyingPass, { areaEpsilon }: Tolerances): boolean {
   if (wanted.length < 6) return true;
   return pass === 'visvalingam' && wanted.length === 6 && Math.abs(signedArea(wanted)) < areaEpsilon;
-}
-
-/** Numbers in `ring`, ascending, of the vertices of `part`, which follow each other as in the ring. */
-function placesIn(ring: Ring, part: Ring): number[] {
-  const n = ring.length / 2;
-  const places: number[] = [];
-  let at = 0;
-  for (let k = 0; k < part.length; k += 2) {
-    while (ring[2 * at] !== part[k] || ring[2 * at + 1] !== part[k + 1]) at = (at + 1) % n;
-    places.push(at);
-  }
-  return places.sort((a, b) => a - b);
 }

@@ -1,5 +1,8 @@
 import type { PointGrid } from '../geometry/point-grid.ts';
 
+/** Rounding may put a point into the cell beside the one its strip reaches, in cells. */
+const ROUNDING = 1e-6;
+
 /** A strip along a directed segment, in its own frame: `along` from its start, `across` to its left. */
 export interface Strip {
   readonly x: number;
@@ -30,7 +33,6 @@ export class StripPoints {
     const firstRow = Math.max(0, Math.floor((low - minY) / cell));
     const lastRow = Math.min(rows - 1, Math.floor((high - minY) / cell));
     for (let row = firstRow; row <= lastRow; row++) {
-      // Coordinates are cut into cells by division, which may round across a border: a row reaches a little further.
       const span = extent(strip, 'x', minY + (row - ROUNDING) * cell, minY + (row + 1 + ROUNDING) * cell);
       if (span === null) continue;
       const first = Math.max(0, Math.floor((span[0] - minX) / cell - ROUNDING));
@@ -61,9 +63,6 @@ export class StripPoints {
     this.across.set(across);
   }
 }
-
-/** Share of a cell. */
-const ROUNDING = 1e-6;
 
 /** Least and greatest x (or y) of a strip between two heights y; null where it does not reach. */
 function extent(

@@ -1,6 +1,8 @@
 import { firstFace } from './face-offset.ts';
 import type { Strip, StripPoints } from './strip-points.ts';
 
+export type Point = readonly [x: number, y: number];
+
 /** A line along a wall's face, fitted to the points an edge stands for. */
 export interface WallLine {
   readonly x: number;
@@ -27,6 +29,9 @@ const SETTLED = 1e-3;
 const MOST_ROUNDS = 12;
 /** Of the bandwidth; points without noise would leave a cutoff of 0. */
 const LEAST_CUTOFF = 0.01;
+
+/** Lines that turn by less meet too far along to tell where: a gentle bend. Sine of 8°. */
+const LEAST_SINE = Math.sin((8 * Math.PI) / 180);
 
 /** A line in the frame of its strip: through a point, at an angle to the strip. */
 interface Fit {
@@ -111,4 +116,23 @@ function inPlan({ along, across, angle, deviation }: Fit, { x, y, ux, uy }: Stri
     uy: cos * uy + sin * ux,
     deviation,
   };
+}
+
+/** Where two lines meet; null when they are nearly parallel. */
+export function meetingOf(a: WallLine, b: WallLine): Point | null {
+  const sine = a.ux * b.uy - a.uy * b.ux;
+  if (Math.abs(sine) < LEAST_SINE) return null;
+  const along = ((b.x - a.x) * b.uy - (b.y - a.y) * b.ux) / sine;
+  return [a.x + along * a.ux, a.y + along * a.uy];
+}
+
+/** The point of a line nearest to another. */
+export function projectOnto(line: WallLine, [x, y]: Point): Point {
+  const across = distanceToLine(line, [x, y]);
+  return [x + across * line.uy, y - across * line.ux];
+}
+
+/** Positive to the left of the line. */
+export function distanceToLine({ x, y, ux, uy }: WallLine, point: Point): number {
+  return (point[1] - y) * ux - (point[0] - x) * uy;
 }

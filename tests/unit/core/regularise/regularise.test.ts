@@ -26,7 +26,8 @@ const ELL: Path = [
 ];
 const slice = asSlice(scanWalls({ walls: [closed(ELL)], perMetre: 200, noise: 0.006, seed: 1 }));
 const boundary = findBoundary(slice, optionsWith(), listeningContext());
-const run = (given: Partial<Options> = {}) => regulariseBoundary(boundary, slice, optionsWith(given));
+const run = (given: Partial<Options> = {}) =>
+  regulariseBoundary(boundary, slice, optionsWith(given), listeningContext());
 
 describe('regulariseBoundary', () => {
   it('straightens an L to a few vertices and keeps its shape', () => {
@@ -83,7 +84,7 @@ describe('regulariseBoundary', () => {
     };
     expectValidPolygons(wall.polygons);
     for (const epsilon of [0.01, 0.05, 0.1, 0.15, 0.2, 0.5, 1, 5]) {
-      const { passes } = regulariseBoundary(wall, slice, optionsWith({ epsilon }));
+      const { passes } = regulariseBoundary(wall, slice, optionsWith({ epsilon }), listeningContext());
       for (const pass of passes) expectValidPolygons(pass.polygons);
     }
   });
@@ -99,7 +100,9 @@ describe('regulariseBoundary', () => {
     };
     expectValidPolygons(plate.polygons);
     for (const epsilon of [0.1, 0.5, 2]) {
-      expectValidPolygons(regulariseBoundary(plate, slice, optionsWith({ epsilon })).polygons);
+      expectValidPolygons(
+        regulariseBoundary(plate, slice, optionsWith({ epsilon }), listeningContext()).polygons,
+      );
     }
   });
 });
