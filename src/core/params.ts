@@ -57,8 +57,14 @@ export type ParamRow = NumberRow | AutoNumberRow | FlagRow | ChoiceRow | ChoiceL
 
 const px = (value: number): Pixels => ({ px: value, power: 1 });
 const px2 = (value: number): Pixels => ({ px: value, power: 2 });
-const number = (row: Omit<NumberRow, 'kind'>): NumberRow => ({ kind: 'number', ...row });
-const autoNumber = (row: Omit<AutoNumberRow, 'kind'>): AutoNumberRow => ({ kind: 'auto-number', ...row });
+type In<U> = { readonly unit: U };
+const number = <U extends NumberRow['unit']>(row: Omit<NumberRow, 'kind'> & In<U>): NumberRow & In<U> => ({
+  kind: 'number',
+  ...row,
+});
+const autoNumber = <U extends NumberRow['unit']>(
+  row: Omit<AutoNumberRow, 'kind'> & In<U>,
+): AutoNumberRow & In<U> => ({ kind: 'auto-number', ...row });
 const flag = (row: Omit<FlagRow, 'kind'>): FlagRow => ({ kind: 'flag', ...row });
 const choice = <const C extends string>(
   choices: readonly C[],
