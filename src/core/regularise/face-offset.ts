@@ -56,10 +56,13 @@ function counts(offsets: Float64Array, size: number, low: number, high: number, 
   return bins;
 }
 
+/** By a triangular kernel. */
 function smoothed(bins: Float64Array): Float64Array {
-  return bins.map((_, bin) => {
-    let sum = 0;
-    for (let k = 1 - BINS; k < BINS; k++) sum += (BINS - Math.abs(k)) * (bins[bin + k] ?? 0);
-    return sum;
-  });
+  const density = new Float64Array(bins.length);
+  for (let bin = 0; bin < bins.length; bin++) {
+    const last = Math.min(bins.length - 1, bin + BINS - 1);
+    for (let k = Math.max(0, bin - BINS + 1); k <= last; k++)
+      density[bin] += (BINS - Math.abs(k - bin)) * bins[k];
+  }
+  return density;
 }

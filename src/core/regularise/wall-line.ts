@@ -50,6 +50,7 @@ interface Fit {
  * @returns null when too few points, or too short a stretch of them, lie along the edge. O(points).
  */
 export function fitWallLine(points: StripPoints, strip: Strip, bandwidth: number): WallLine | null {
+  if (points.size < FEWEST_POINTS) return null;
   const face = firstFace(points.across, points.size, strip.across, bandwidth);
   if (face === null) return null;
   const [from, to] = strip.along;

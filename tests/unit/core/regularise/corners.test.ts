@@ -102,7 +102,7 @@ describe('restored corners', () => {
     ['an L', ELL, 0.02],
     ['a triangle', ACUTE, 0.01],
     ['a wall bent by 11°', BENT, 0.005],
-  ])('of %s with %#: a tenth of the noise bias, corners within the noise', (_, path, noise) => {
+  ])('of %s: noise bias gone, corners within the noise', (_, path, noise) => {
     const { corners, area, iou } = measure(path, noise);
     expect(corners[1]).toBeLessThan(noise / 2);
     expect(corners[1]).toBeLessThan(corners[0] / 3);
