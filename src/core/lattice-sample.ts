@@ -1,13 +1,17 @@
+import { CellTable, FIRST_CELL } from './cell-table.ts';
 import { distinctPoints } from './geometry/point-order.ts';
-import { PlanCells } from './plan-cells.ts';
 
-/** Steps a cell's edge is told in where means are taken: sums of whole steps are exact, so no order of points shows. */
+/** Steps a cell's edge is told in: sums of whole steps are exact, so no order of points shows in a mean. */
 const STEPS = 2 ** 16;
 /**
  * A cell that holds less than this share of what a neighbour holds is that neighbour's noise: the tail of a wall. So the
- * outline follows the wall, not the farthest of its points, however many there are.
+ * outline follows the wall, not the farthest of its points, however many there are. On ten scanned scenes 0, 0.05, 0.1,
+ * 0.25 and 0.4 gave an IoU of .939, .942, .942, .941 and .942, and areas too large by 0.8, 0.6, 0.6, 0.3 and 0 %.
  */
 const LEAST_SHARE = 0.1;
+/** A box of at most this many cells a point, and as many in all (80 MB), has an array entry for each of its cells. */
+const DENSE_CELLS_PER_POINT = 4;
+const MOST_DENSE_CELLS = 2 ** 22;
 
 /** Points over which a lattice is laid, all coordinates in metres. */
 export interface LatticePoints {
@@ -22,117 +26,133 @@ export interface Lattice {
   readonly minX: number;
   readonly minY: number;
   readonly edge: number;
+  /** 1 / edge: cells are told by this one product, so that none lies past the last. */
+  readonly perMetre: number;
   readonly columns: number;
   readonly rows: number;
 }
 
-/** Which lattice cell each point lies in. */
-export interface PointsInCells {
+/** What lies in the cells of a lattice, by slot. */
+export interface CellSums {
   readonly lattice: Lattice;
-  readonly cells: PlanCells;
-  /** Cell number of each of `indices`. */
-  readonly cellOf: Uint32Array;
+  /** Occupied cells. */
+  readonly occupied: number;
   /** Points of each cell. */
   readonly counts: Uint32Array;
-}
-
-/** Finds the cell of each point, which must lie in the lattice. O(n). */
-export function sortIntoCells({ positions, indices }: LatticePoints, lattice: Lattice): PointsInCells {
-  const { minX, minY, edge, columns, rows } = lattice;
-  const cells = new PlanCells(columns, rows, indices.length);
-  const cellOf = new Uint32Array(indices.length);
-  for (let k = 0; k < indices.length; k++) {
-    const i = 3 * indices[k];
-    const column = Math.floor((positions[i] - minX) / edge);
-    const row = Math.floor((positions[i + 1] - minY) / edge);
-    cellOf[k] = cells.add(column, row);
-  }
-  const counts = new Uint32Array(cells.count);
-  for (let k = 0; k < cellOf.length; k++) counts[cellOf[k]]++;
-  return { lattice, cells, cellOf, counts };
+  /** Sums of the points' distances from the cell's corner, in whole steps. */
+  readonly sumX: Float64Array;
+  readonly sumY: Float64Array;
+  /** Which cell a slot is; null where slots are all cells of the box, row by row. */
+  readonly table: CellTable | null;
 }
 
 /**
- * Of each cell the point nearest the mean of its points; cells that are but the noise of a neighbour have none.
+ * Counts and sums the points of each cell; all points must lie in the lattice. O(n).
  *
- * The order of the points does not matter. Nearest the mean, not the middle: on the outer side of a wall the middle of a
- * cell lies farther out. With 10 M points of walls with 1 cm noise the outline's area is 0.45 % too large; with
- * middles 0.86 %, with all cells 1.08 %, with both 1.24 %.
- *
- * @returns x, y a point, m, in lexicographic order. O(n).
+ * Where the box is small against the points an array holds every cell of it, else a hash table the occupied ones: for
+ * 10 M points of a wall slice 0.06 s and 0.3 s.
  */
-export function sampleCells(points: LatticePoints, inCells: PointsInCells): Float64Array {
-  const { positions } = points;
-  const chosen = nearestToMeans(points, inCells);
-  const xy = new Float64Array(2 * chosen.length);
+export function sumCells(points: LatticePoints, lattice: Lattice): CellSums {
+  const cells = lattice.columns * lattice.rows;
+  const isDense = cells <= Math.min(MOST_DENSE_CELLS, DENSE_CELLS_PER_POINT * points.indices.length);
+  return isDense ? sumInBox(points, lattice, cells) : sumInTable(points, lattice);
+}
+
+function sumInBox({ positions, indices }: LatticePoints, lattice: Lattice, cells: number): CellSums {
+  const { minX, minY, perMetre, columns } = lattice;
+  const counts = new Uint32Array(cells);
+  const sumX = new Float64Array(cells);
+  const sumY = new Float64Array(cells);
+  let occupied = 0;
+  for (let k = 0; k < indices.length; k++) {
+    const i = 3 * indices[k];
+    const u = (positions[i] - minX) * perMetre;
+    const v = (positions[i + 1] - minY) * perMetre;
+    const column = u | 0;
+    const row = v | 0;
+    const slot = row * columns + column;
+    if (counts[slot]++ === 0) occupied++;
+    sumX[slot] += ((u - column) * STEPS) | 0;
+    sumY[slot] += ((v - row) * STEPS) | 0;
+  }
+  return { lattice, occupied, counts, sumX, sumY, table: null };
+}
+
+/** Slots are the numbers of the table's cells. */
+function sumInTable({ positions, indices }: LatticePoints, lattice: Lattice): CellSums {
+  const { minX, minY, perMetre } = lattice;
+  const table = new CellTable();
+  const counts: number[] = [];
+  const sumX: number[] = [];
+  const sumY: number[] = [];
+  for (let k = 0; k < indices.length; k++) {
+    const i = 3 * indices[k];
+    const u = (positions[i] - minX) * perMetre;
+    const v = (positions[i + 1] - minY) * perMetre;
+    const column = u | 0;
+    const row = v | 0;
+    const slot = table.add(column + FIRST_CELL, row + FIRST_CELL, 0);
+    if (slot === counts.length) {
+      counts.push(0);
+      sumX.push(0);
+      sumY.push(0);
+    }
+    counts[slot]++;
+    sumX[slot] += ((u - column) * STEPS) | 0;
+    sumY[slot] += ((v - row) * STEPS) | 0;
+  }
+  return {
+    lattice,
+    occupied: counts.length,
+    counts: Uint32Array.from(counts),
+    sumX: Float64Array.from(sumX),
+    sumY: Float64Array.from(sumY),
+    table,
+  };
+}
+
+/**
+ * The mean of the points of each cell, to half a step; cells that are but the noise of a neighbour have none.
+ *
+ * The order of the points does not matter. Means, not the points nearest the middle of their cells: on the outer side
+ * of a wall the middle lies farther out. With 10 M points of walls with 1 cm noise the outline's area is 0.45 % too large,
+ * with middles 0.86 %, with all cells 1.08 %, with both 1.24 %.
+ *
+ * @returns x, y a point, m, in lexicographic order. Linear in the slots.
+ */
+export function cellMeans(sums: CellSums): Float64Array {
+  const { lattice, occupied, counts, sumX, sumY } = sums;
+  const { minX, minY, edge } = lattice;
+  const xy = new Float64Array(2 * occupied);
   let n = 0;
-  for (let cell = 0; cell < chosen.length; cell++) {
-    if (isNoise(inCells, cell)) continue;
-    xy[2 * n] = positions[chosen[cell]];
-    xy[2 * n + 1] = positions[chosen[cell] + 1];
-    n++;
+  for (let slot = 0; slot < counts.length; slot++) {
+    if (counts[slot] === 0) continue;
+    const [column, row] = cellOf(sums, slot);
+    if (isNoise(sums, slot, column, row)) continue;
+    xy[n++] = minX + (column + (sumX[slot] / counts[slot] + 0.5) / STEPS) * edge;
+    xy[n++] = minY + (row + (sumY[slot] / counts[slot] + 0.5) / STEPS) * edge;
   }
-  return distinctPoints(xy.subarray(0, 2 * n));
-}
-
-/** For each cell the place in `positions` of the point nearest the cell's mean; of equals the least by coordinates. */
-function nearestToMeans({ positions, indices }: LatticePoints, inCells: PointsInCells): Uint32Array {
-  const { lattice, cellOf } = inCells;
-  const { minX, minY, edge } = lattice;
-  const { meanX, meanY } = meansInCells({ positions, indices }, inCells);
-  const chosen = new Uint32Array(meanX.length);
-  const least = new Float64Array(meanX.length).fill(Number.POSITIVE_INFINITY);
-  for (let k = 0; k < indices.length; k++) {
-    const i = 3 * indices[k];
-    const cell = cellOf[k];
-    const u = (positions[i] - minX) / edge;
-    const v = (positions[i + 1] - minY) / edge;
-    const du = u - Math.floor(u) - meanX[cell];
-    const dv = v - Math.floor(v) - meanY[cell];
-    const squared = du * du + dv * dv;
-    if (squared > least[cell]) continue;
-    if (squared === least[cell] && !isBefore(positions, i, chosen[cell])) continue;
-    chosen[cell] = i;
-    least[cell] = squared;
-  }
-  return chosen;
-}
-
-/** Mean of the points of each cell, relative to the cell's corner, in cell edges. */
-function meansInCells({ positions, indices }: LatticePoints, { lattice, cellOf, counts }: PointsInCells) {
-  const { minX, minY, edge } = lattice;
-  const meanX = new Float64Array(counts.length);
-  const meanY = new Float64Array(counts.length);
-  for (let k = 0; k < indices.length; k++) {
-    const i = 3 * indices[k];
-    const cell = cellOf[k];
-    const u = (positions[i] - minX) / edge;
-    const v = (positions[i + 1] - minY) / edge;
-    meanX[cell] += Math.floor((u - Math.floor(u)) * STEPS);
-    meanY[cell] += Math.floor((v - Math.floor(v)) * STEPS);
-  }
-  for (let cell = 0; cell < counts.length; cell++) {
-    meanX[cell] /= counts[cell] * STEPS;
-    meanY[cell] /= counts[cell] * STEPS;
-  }
-  return { meanX, meanY };
-}
-
-function isBefore(positions: Float32Array, i: number, other: number): boolean {
-  if (positions[i] !== positions[other]) return positions[i] < positions[other];
-  return positions[i + 1] < positions[other + 1];
+  return distinctPoints(xy.subarray(0, n));
 }
 
 /** Whether some cell around holds so many points that this cell's are their noise. */
-function isNoise({ cells, counts }: PointsInCells, cell: number): boolean {
-  const column = cells.columns[cell];
-  const row = cells.rows[cell];
-  const most = counts[cell] / LEAST_SHARE;
+function isNoise(sums: CellSums, slot: number, column: number, row: number): boolean {
+  const most = sums.counts[slot] / LEAST_SHARE;
   for (let r = row - 1; r <= row + 1; r++) {
-    for (let c = column - 1; c <= column + 1; c++) {
-      const neighbour = cells.find(c, r);
-      if (neighbour >= 0 && counts[neighbour] > most) return true;
-    }
+    for (let c = column - 1; c <= column + 1; c++) if (countIn(sums, c, r) > most) return true;
   }
   return false;
+}
+
+function cellOf({ lattice, table }: CellSums, slot: number): readonly [column: number, row: number] {
+  if (table === null) return [slot % lattice.columns, Math.floor(slot / lattice.columns)];
+  const [ix, iy] = table.coordinatesOf(slot);
+  return [ix - FIRST_CELL, iy - FIRST_CELL];
+}
+
+function countIn({ lattice, counts, table }: CellSums, column: number, row: number): number {
+  if (column < 0 || row < 0 || column >= lattice.columns || row >= lattice.rows) return 0;
+  const slot =
+    table === null ? row * lattice.columns + column : table.find(column + FIRST_CELL, row + FIRST_CELL, 0);
+  return slot < 0 ? 0 : counts[slot];
 }

@@ -1,12 +1,6 @@
 import { CELLS_ACROSS } from './cell-table.ts';
 import { meanSpacing } from './geometry/spacing.ts';
-import {
-  type Lattice,
-  type LatticePoints,
-  type PointsInCells,
-  sampleCells,
-  sortIntoCells,
-} from './lattice-sample.ts';
+import { type CellSums, cellMeans, type Lattice, type LatticePoints, sumCells } from './lattice-sample.ts';
 import type { Options } from './params.ts';
 import { createRandom } from './random.ts';
 import type { PointCloud, Slice } from './types.ts';
@@ -20,7 +14,7 @@ const FEW_A_CELL = 4;
  * Points of one level seen from above, uniformly down-sampled ([Stojanovic19] §4).
  *
  * A lattice over the plan with as many cells as points are wanted; of each cell one point stays, see
- * {@link sampleCells}, so the order of the points does not matter. The seed shifts the lattice. A ready slice below
+ * {@link cellMeans}, so the order of the points does not matter. The seed shifts the lattice. A ready slice below
  * the wanted density, over its box and along its walls, stays as it is. O(n).
  *
  * @param indices points of the level
@@ -35,8 +29,8 @@ export function makeSlice(
   if (indices.length === 0) return { xy: new Float64Array(0), band, spacing: 0 };
   const points = { positions: cloud.positions, indices };
   const edge = Math.sqrt(SAMPLE_AREA / options.samplesPer50M2);
-  const inCells = sortIntoCells(points, layLattice(points, edge, options.seed));
-  const xy = cloud.isFlat && isSparse(inCells, edge) ? seenFromAbove(points) : sampleCells(points, inCells);
+  const sums = sumCells(points, layLattice(points, edge, options.seed));
+  const xy = cloud.isFlat && isSparse(sums, points, edge) ? seenFromAbove(points) : cellMeans(sums);
   return { xy, band, spacing: meanSpacing(xy) };
 }
 
@@ -58,15 +52,16 @@ function layLattice({ positions, indices }: LatticePoints, wantedEdge: number, s
   const random = createRandom(seed);
   minX -= random() * edge;
   minY -= random() * edge;
-  const columns = Math.floor((maxX - minX) / edge) + 1;
-  const rows = Math.floor((maxY - minY) / edge) + 1;
-  return { minX, minY, edge, columns, rows };
+  const perMetre = 1 / edge;
+  const columns = Math.floor((maxX - minX) * perMetre) + 1;
+  const rows = Math.floor((maxY - minY) * perMetre) + 1;
+  return { minX, minY, edge, perMetre, columns, rows };
 }
 
-function isSparse({ lattice, cells, cellOf }: PointsInCells, wantedEdge: number): boolean {
+function isSparse({ lattice, occupied }: CellSums, { indices }: LatticePoints, wantedEdge: number): boolean {
   const wanted = lattice.columns * lattice.rows * (lattice.edge / wantedEdge) ** 2;
   const isCoarse = lattice.edge > wantedEdge;
-  return cellOf.length <= wanted && (isCoarse || cellOf.length <= FEW_A_CELL * cells.count);
+  return indices.length <= wanted && (isCoarse || indices.length <= FEW_A_CELL * occupied);
 }
 
 function seenFromAbove({ positions, indices }: LatticePoints): Float64Array {
