@@ -7,8 +7,8 @@ import type { PointCloud, Slice } from './types.ts';
 
 /** `samplesPer50M2` counts points on this area, m² ([Stojanovic19] §4). */
 const SAMPLE_AREA = 50;
-/** A ready slice with up to as many points a cell is kept whole: it is small, and every point may be meant. */
-const FEW_A_CELL = 4;
+/** A ready slice with up to as many points an occupied cell is kept whole: every point of it may be meant. */
+const FEW_A_CELL = 2;
 
 /**
  * Points of one level seen from above, uniformly down-sampled ([Stojanovic19] §4).
