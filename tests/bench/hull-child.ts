@@ -6,6 +6,7 @@ import { createRequire } from 'node:module';
 import concaveman from 'concaveman';
 import { findBoundary } from '../../src/core/boundary.ts';
 import { resolveOptions } from '../../src/core/options.ts';
+import { regulariseBoundary } from '../../src/core/regularise.ts';
 import { makeSlice } from '../../src/core/slice.ts';
 import type { PointCloud } from '../../src/core/types.ts';
 import type { HullRun } from './hull-methods.ts';
@@ -30,19 +31,8 @@ const context = {
 
 /** Each takes the points as they are read and returns the work to be timed. */
 const methods: Record<string, (xy: Float32Array, length: number) => () => Made> = {
-  ours(xy) {
-    const positions = new Float32Array((xy.length / 2) * 3);
-    for (let i = 0; i < xy.length / 2; i++) positions.set(xy.subarray(2 * i, 2 * i + 2), 3 * i);
-    // A flat cloud, as a ready slice becomes: only these two are looked at.
-    const cloud = { positions, isFlat: true } as PointCloud;
-    const indices = Uint32Array.from({ length: xy.length / 2 }, (_, i) => i);
-    const options = resolveOptions({ preset: 'building' });
-    return () => {
-      const slice = makeSlice(cloud, indices, [0, 0], options);
-      const { polygons, openingLength } = findBoundary(slice, options, context);
-      return { ring: polygons[0].outer, openingLength };
-    };
-  },
+  ours: (xy) => chain(xy, false),
+  'ours-straightened': (xy) => chain(xy, true),
   concaveman(xy) {
     const pairs = toPairs(xy);
     return () => ({ ring: concaveman(pairs, 2).flat() });
@@ -72,6 +62,22 @@ const result: HullRun = {
   openingLength: made.openingLength ?? 0,
 };
 console.log(JSON.stringify(result));
+
+/** The chain's part from the points of a level to the outline, with or without the passes that straighten it. */
+function chain(xy: Float32Array, isStraightened: boolean): () => Made {
+  const positions = new Float32Array((xy.length / 2) * 3);
+  for (let i = 0; i < xy.length / 2; i++) positions.set(xy.subarray(2 * i, 2 * i + 2), 3 * i);
+  // A flat cloud, as a ready slice becomes: only these two are looked at.
+  const cloud = { positions, isFlat: true } as PointCloud;
+  const indices = Uint32Array.from({ length: xy.length / 2 }, (_, i) => i);
+  const options = resolveOptions({ preset: 'building' });
+  return () => {
+    const slice = makeSlice(cloud, indices, [0, 0], options);
+    const boundary = findBoundary(slice, options, context);
+    const { polygons } = isStraightened ? regulariseBoundary(boundary, slice, options) : boundary;
+    return { ring: polygons[0].outer, openingLength: boundary.openingLength };
+  };
+}
 
 function toPairs(xy: Float32Array): Pair[] {
   return Array.from({ length: xy.length / 2 }, (_, i): Pair => [xy[2 * i], xy[2 * i + 1]]);

@@ -40,6 +40,7 @@ const rustEnvironment = { ...process.env, RUSTC_BOOTSTRAP: '1' };
 /** Ours first, then its peers. None needs the network; those not installed are left out and told of. */
 export const hullMethods: readonly HullMethod[] = [
   { name: 'ours', command: [...node, 'ours'] },
+  { name: 'ours, straightened', command: [...node, 'ours-straightened'] },
   { name: 'concaveman', command: [...node, 'concaveman'] },
   { name: 'concaveman, 2 cm', command: [...node, 'concaveman-thinned'] },
   {
