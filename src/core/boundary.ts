@@ -1,5 +1,5 @@
 import { alphaShape } from './boundary/alpha-shape.ts';
-import { closeGaps, probeClosedEdges, warnOfGaps } from './boundary/bridged-gaps.ts';
+import { closeGaps, warnOfGaps } from './boundary/bridged-gaps.ts';
 import { concavemanRing } from './boundary/concaveman-ring.ts';
 import { openGift } from './boundary/gift-opening.ts';
 import type { StageContext } from './context.ts';
@@ -65,7 +65,6 @@ function giftBoundary(
   const bridgeLimit = options.bridgeGap > 0 ? options.bridgeGap + supportLength : 0;
   const rules = { openingLength, supportLength, bridgeLimit, spacing };
   const opening = openGift(points, rules);
-  probeClosedEdges(opening, rules);
   const { ring, gaps } = closeGaps(opening, options.bridgeGap);
   warnOfGaps(gaps, context);
   warnOfCollapse(opening.area / opening.hullArea, options, context);

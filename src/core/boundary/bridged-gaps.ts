@@ -2,9 +2,8 @@ import type { StageContext } from '../context.ts';
 import { orientation } from '../geometry/predicates.ts';
 import type { Gap, Ring } from '../types.ts';
 import { missingCorner } from './gap-corner.ts';
-import { probeEdge } from './gift-opening.ts';
-import { coordinatesOf, lengthOf, ringPoints } from './hull-ring.ts';
-import type { Opening, OpeningRules } from './opening.ts';
+import { coordinatesOf } from './hull-ring.ts';
+import type { Opening } from './opening.ts';
 import { findOpeningPoint } from './opening-point.ts';
 import { continuesWalls } from './wall-run.ts';
 
@@ -15,21 +14,6 @@ import { continuesWalls } from './wall-run.ts';
 const LEAST_COSINE = -0.34;
 /** Gaps told one by one in the warning; the rest are counted. */
 const TOLD = 3;
-
-/**
- * Finds the gaps beneath edges the opening length left alone: each is opened on trial down to `supportLength`. So a
- * gap is a gap at every opening length.
- */
-export function probeClosedEdges(opening: Opening, rules: OpeningRules): void {
-  const { next } = opening.hull;
-  if (rules.openingLength <= rules.supportLength || rules.bridgeLimit === 0) return;
-  const probe = { ...rules, openingLength: rules.supportLength };
-  for (const a of ringPoints(opening.hull)) {
-    const length = lengthOf(opening.hull, a);
-    const isLong = length > rules.supportLength && length <= rules.bridgeLimit;
-    if (next[a] >= 0 && isLong && length <= rules.openingLength) probeEdge(opening, probe, a);
-  }
-}
 
 /**
  * The ring of an opening with the corners that gaps took away put back, and the gaps, widest first.

@@ -13,16 +13,18 @@
  *   bridged-gaps.ts   afterwards: probes edges left closed, tells gaps from stray points (wall-run.ts), puts corners
  *                     back that gaps took away (gap-corner.ts), and warns
  */
+import { coarsen } from './coarsen.ts';
 import { EdgeHeap } from './edge-heap.ts';
 import {
   firstPoint,
   type HullRing,
   isBlocked,
   lengthOf,
+  ringPoints,
   startFromConvexHull,
   triangleArea,
 } from './hull-ring.ts';
-import { insertInto, isDeep, leaveClosed, type Opening, type OpeningRules, takeBack } from './opening.ts';
+import { insertInto, isDeep, leaveClosed, type Opening, type OpeningRules } from './opening.ts';
 import { findOpeningPoint } from './opening-point.ts';
 import { openOnTrial } from './trial.ts';
 
@@ -50,53 +52,51 @@ export function openGift(sorted: Float64Array, rules: OpeningRules): Opening {
     hullArea,
     area: hullArea,
   };
-  const heap = new EdgeHeap(hull.grid);
-  const first = firstPoint(hull);
-  let a = first;
-  do {
+  for (const a of ringPoints(hull)) {
     opening.anchorFrom[a] = a;
     opening.anchorTo[a] = hull.next[a];
-    pushEdge(hull, heap, a, rules);
-    a = hull.next[a];
-  } while (a !== first);
-  openEdges(opening, rules, heap);
-  opening.log.length = 0;
+  }
+  if (rules.bridgeLimit === 0) {
+    openEdges(opening, rules, Number.POSITIVE_INFINITY);
+    return opening;
+  }
+  openEdges(opening, { ...rules, openingLength: rules.supportLength }, Number.POSITIVE_INFINITY);
+  if (rules.openingLength < rules.supportLength) openEdges(opening, rules, rules.supportLength);
+  else coarsen(opening, rules);
   return opening;
 }
 
 /**
- * Opens one edge of a finished ring by stricter rules, and takes that back unless it shows a gap: its ends are then
- * worth more than a long edge.
+ * Opens the edges of a ring that are no longer than `longest`, the longest of them first, until none is left.
+ *
+ * Doubtful ones, on trial, come last: to tell whether an edge leads into the room the ring must lie at its walls.
  */
-export function probeEdge(opening: Opening, rules: OpeningRules, a: number): void {
-  const { hull, log, bridges } = opening;
+function openEdges(opening: Opening, rules: OpeningRules, longest: number): void {
+  const { hull } = opening;
   const heap = new EdgeHeap(hull.grid);
-  const bridged = bridges.length;
-  opening.anchorFrom[a] = a;
-  opening.anchorTo[a] = hull.next[a];
-  pushEdge(hull, heap, a, rules);
-  openEdges(opening, rules, heap);
-  if (bridges.length === bridged) takeBack(opening, 0);
-  log.length = 0;
+  const doubtful = new EdgeHeap(hull.grid);
+  for (const a of ringPoints(hull)) if (lengthOf(hull, a) <= longest) pushEdge(hull, heap, a, rules);
+  for (let a = heap.pop(); a >= 0; a = heap.pop()) {
+    const p = pointBehind(hull, a);
+    if (p < 0) leaveClosed(opening, rules, a, heap.length);
+    else if (heap.length <= rules.bridgeLimit && isDeep(opening, rules, a, p)) doubtful.push(a, heap.length);
+    else {
+      insertInto(opening, rules, a, p);
+      pushEdge(hull, heap, a, rules);
+      pushEdge(hull, heap, p, rules);
+    }
+  }
+  for (let a = doubtful.pop(); a >= 0; a = doubtful.pop()) {
+    const p = pointBehind(hull, a);
+    if (p < 0) leaveClosed(opening, rules, a, doubtful.length);
+    else openOnTrial(opening, rules, a, p);
+  }
 }
 
-/** Opens the edges of a heap, longest first, until none is left. */
-function openEdges(opening: Opening, rules: OpeningRules, heap: EdgeHeap): void {
-  const { hull } = opening;
-  for (let a = heap.pop(); a >= 0; a = heap.pop()) {
-    const p = findOpeningPoint(hull, a, hull.next[a]);
-    if (p < 0 || isBlocked(hull, a, p, hull.next[a])) {
-      leaveClosed(opening, rules, a, heap.length);
-      continue;
-    }
-    if (heap.length <= rules.bridgeLimit && isDeep(opening, rules, a, p)) {
-      openOnTrial(opening, rules, a, p);
-      continue;
-    }
-    insertInto(opening, rules, a, p);
-    pushEdge(hull, heap, a, rules);
-    pushEdge(hull, heap, p, rules);
-  }
+/** The point the edge a → next[a] opens to, -1 when it cannot be opened. */
+function pointBehind(hull: HullRing, a: number): number {
+  const p = findOpeningPoint(hull, a, hull.next[a]);
+  return p >= 0 && isBlocked(hull, a, p, hull.next[a]) ? -1 : p;
 }
 
 function pushEdge(hull: HullRing, heap: EdgeHeap, a: number, { openingLength }: OpeningRules): void {

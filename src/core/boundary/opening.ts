@@ -1,7 +1,7 @@
 import { type HullRing, insertPoint, lengthOf, removePoint, triangleArea } from './hull-ring.ts';
 
 /** Depth up to which an opening only follows the noise of a wall, m: three deviations of a hand-held scanner. */
-const NOISE_DEPTH = 0.06;
+export const NOISE_DEPTH = 0.06;
 /** The same in mean spacings, for sparse slices. */
 const NOISE_SPACINGS = 2;
 /** An edge that keeps this share of the edge it came from only crept on; its depth is counted from where it began. */
