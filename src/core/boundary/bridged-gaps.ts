@@ -1,9 +1,10 @@
 import type { StageContext } from '../context.ts';
 import { orientation } from '../geometry/predicates.ts';
+import { squaredDistanceToSegment } from '../geometry/segments.ts';
 import type { Gap, Ring } from '../types.ts';
 import { missingCorner } from './gap-corner.ts';
 import { coordinatesOf } from './hull-ring.ts';
-import type { Opening } from './opening.ts';
+import { NOISE_DEPTH, type Opening } from './opening.ts';
 import { findOpeningPoint } from './opening-point.ts';
 import { continuesWalls } from './wall-run.ts';
 
@@ -62,11 +63,15 @@ export function warnOfGaps(gaps: readonly Gap[], context: StageContext): void {
   });
 }
 
-/** Whether a point may lie between the bridge a → next[a] and a corner: one that sees it under angles as small. */
+/** Whether a point off the walls may lie between the bridge a → next[a] and a corner: one that sees it under angles as small. */
 function hidesPoint({ hull }: Opening, a: number, [cornerX, cornerY]: Gap['from']): boolean {
   const { x, y } = hull.grid;
   const b = hull.next[a];
-  const p = findOpeningPoint(hull, a, b);
+  const corner = [cornerX, cornerY] as const;
+  const isOnWall = (q: number) =>
+    squaredDistanceToSegment(x[q], y[q], x[a], y[a], ...corner) <= NOISE_DEPTH ** 2 ||
+    squaredDistanceToSegment(x[q], y[q], ...corner, x[b], y[b]) <= NOISE_DEPTH ** 2;
+  const p = findOpeningPoint(hull, a, b, isOnWall);
   if (p < 0 || orientation(x[a], y[a], x[b], y[b], cornerX, cornerY) <= 0) return false;
   const cosines = (px: number, py: number) => [
     cosine(x[b] - x[a], y[b] - y[a], px - x[a], py - y[a]),

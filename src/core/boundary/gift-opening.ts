@@ -26,6 +26,7 @@ import {
 } from './hull-ring.ts';
 import { insertInto, isDeep, leaveClosed, type Opening, type OpeningRules } from './opening.ts';
 import { findOpeningPoint } from './opening-point.ts';
+import { unpassedPointBehind } from './passed-points.ts';
 import { openOnTrial } from './trial.ts';
 
 /**
@@ -76,20 +77,30 @@ function openEdges(opening: Opening, rules: OpeningRules, longest: number): void
   const heap = new EdgeHeap(hull.grid);
   const doubtful = new EdgeHeap(hull.grid);
   for (const a of ringPoints(hull)) if (lengthOf(hull, a) <= longest) pushEdge(hull, heap, a, rules);
-  for (let a = heap.pop(); a >= 0; a = heap.pop()) {
-    const p = pointBehind(hull, a);
-    if (p < 0) leaveClosed(opening, rules, a, heap.length);
-    else if (heap.length <= rules.bridgeLimit && isDeep(opening, rules, a, p)) doubtful.push(a, heap.length);
+  for (;;) {
+    let a = heap.pop();
+    if (a >= 0) {
+      const p = pointBehind(hull, a);
+      if (p < 0) leaveClosed(opening, rules, a, heap.length);
+      else if (rules.bridgeLimit > 0 && isDeep(opening, rules, a, p)) doubtful.push(a, heap.length);
+      else {
+        insertInto(opening, rules, a, p);
+        pushEdge(hull, heap, a, rules);
+        pushEdge(hull, heap, p, rules);
+      }
+      continue;
+    }
+    a = doubtful.pop();
+    if (a < 0) return;
+    const p = unpassedPointBehind(hull, a, rules);
+    if (p < 0) leaveClosed(opening, rules, a, doubtful.length);
+    else if (doubtful.length <= rules.bridgeLimit && isDeep(opening, rules, a, p))
+      openOnTrial(opening, rules, a, p);
     else {
       insertInto(opening, rules, a, p);
       pushEdge(hull, heap, a, rules);
       pushEdge(hull, heap, p, rules);
     }
-  }
-  for (let a = doubtful.pop(); a >= 0; a = doubtful.pop()) {
-    const p = pointBehind(hull, a);
-    if (p < 0) leaveClosed(opening, rules, a, doubtful.length);
-    else openOnTrial(opening, rules, a, p);
   }
 }
 

@@ -1,17 +1,15 @@
-import { isBackToBack } from './back-to-back.ts';
-import { isBlocked, lengthOf } from './hull-ring.ts';
+import { lengthOf } from './hull-ring.ts';
 import {
   depthOf,
   insertInto,
   isDeep,
   leaveClosed,
-  NOISE_DEPTH,
   noiseDepth,
   type Opening,
   type OpeningRules,
   takeBack,
 } from './opening.ts';
-import { findOpeningPoint } from './opening-point.ts';
+import { unpassedPointBehind } from './passed-points.ts';
 import {
   CAVITY_DEPTHS,
   fits,
@@ -27,8 +25,6 @@ import { continuesWalls } from './wall-run.ts';
 
 /** A recess may leave this share of its mouth's length unsupported, windows say; an equal trade is no recess. */
 const UNSUPPORTED_SHARE = 0.95;
-/** Noise puts points of one wall this far apart, m: the ring lies on both its sides when no farther from itself. */
-const WALL_NOISE = 2 * NOISE_DEPTH;
 /** Side tolerance of a pocket per metre of mouth. */
 const TOLERANCE_SHARE = 0.02;
 /** Openings in openings; a pocket that needs more stays closed. */
@@ -88,25 +84,15 @@ function openMouth(trial: Trial, mouth: Mouth, outer: Pocket | null): number {
   return openBehind(trial, mouth, pocket, outer);
 }
 
-/** Cost of a step along a wall: its length when the ring lies on both sides of the wall, else nothing. */
-function costOfStep({ opening }: Trial, a: number, length: number): number {
-  return isBackToBack(opening.hull, a, WALL_NOISE) ? length : 0;
-}
-
-/** Leaves an edge behind a mouth closed; returns its cost. */
-function leaveInner(trial: Trial, a: number, length: number): number {
-  return leaveClosed(trial.opening, trial.rules, a, length) || costOfStep(trial, a, length);
-}
-
 /** Opens an edge behind a mouth as far as it pays; returns the cost of the outline it leaves. */
 function openInner(trial: Trial, a: number, pocket: Pocket, level: number): number {
   const { opening, rules } = trial;
   const { hull } = opening;
   const length = lengthOf(hull, a);
-  if (length <= rules.openingLength) return costOfStep(trial, a, length);
-  const p = level > DEEPEST ? -1 : findOpeningPoint(hull, a, hull.next[a]);
+  if (length <= rules.openingLength) return 0;
+  const p = level > DEEPEST ? -1 : unpassedPointBehind(hull, a, rules);
   const isOpen = p >= 0 && !isCrack(opening, rules, a, p) && fits(pocket, hull, p);
-  if (!isOpen || isBlocked(hull, a, p, hull.next[a])) return leaveInner(trial, a, length);
+  if (!isOpen) return leaveClosed(opening, rules, a, length);
   const mouth = { a, p, length, level };
   const mayHaveStrip = length <= rules.bridgeLimit && pocket.level < MOST_STRIPS;
   const isMouth = mayHaveStrip && isDeep(opening, rules, a, p) && continuesWalls(hull, a, LEAST_COSINE);
