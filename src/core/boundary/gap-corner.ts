@@ -13,12 +13,14 @@ const STRAIGHT = 0.06;
 const STRAIGHT_ON = -0.9;
 /** Walls that meet more sharply than this make no corner: cosine of 45°. */
 const SHARPEST = 0.7;
+/** Walls side by side: cosine of 8°. */
+const PARALLEL = 0.99;
 /** Shorter legs are noise at a wall's end, m. */
 const SHORTEST_LEG = 0.1;
 
 /**
  * The corner a gap took away: where the walls before and after ring edge k meet, when both are straight and the
- * corner lies ahead of both, within `longestLeg` of each end.
+ * corner lies ahead of both, within `longestLeg` of each end; or where a lost end wall met the shorter of two parallel walls.
  *
  * @param ring counter-clockwise
  * @returns null when the gap is not at a corner
@@ -33,8 +35,12 @@ export function missingCorner(
   if (directions === null) return null;
   const [before, after] = directions;
   const turn = before.x * after.x + before.y * after.y;
-  if (turn < STRAIGHT_ON || turn > SHARPEST) return null;
+  if (turn < STRAIGHT_ON) return null;
   const [ax, ay, bx, by] = [ring[2 * k], ring[2 * k + 1], ring[2 * m], ring[2 * m + 1]];
+  if (turn > SHARPEST) {
+    const corner = turn > PARALLEL ? squareEnd([ax, ay, bx, by], before, after, longestLeg) : null;
+    return corner !== null && isClear(ring, k, corner) ? corner : null;
+  }
   const corner = lineIntersection(ax, ay, ax + before.x, ay + before.y, bx, by, bx + after.x, by + after.y);
   if (corner === null) return null;
   const legs = [
@@ -43,6 +49,23 @@ export function missingCorner(
   ];
   if (legs.some((leg) => leg < SHORTEST_LEG || leg > longestLeg)) return null;
   return isClear(ring, k, corner) ? corner : null;
+}
+
+/**
+ * Between the ends of two walls side by side the end wall is gone: the room reaches as far as the longer of them, so the
+ * shorter one runs on to where a wall square to it meets the end of the longer.
+ */
+function squareEnd(
+  [ax, ay, bx, by]: readonly [number, number, number, number],
+  before: Direction,
+  after: Direction,
+  longestLeg: number,
+): readonly [x: number, y: number] | null {
+  const ahead = (bx - ax) * before.x + (by - ay) * before.y;
+  if (Math.abs(ahead) < SHORTEST_LEG || Math.abs(ahead) > longestLeg) return null;
+  if (ahead > 0) return [ax + ahead * before.x, ay + ahead * before.y];
+  const back = (ax - bx) * after.x + (ay - by) * after.y;
+  return [bx + back * after.x, by + back * after.y];
 }
 
 interface Direction {
