@@ -51,12 +51,12 @@ export function isDeep(opening: Opening, rules: OpeningRules, a: number, p: numb
 /**
  * Leaves the edge a → next[a] closed, and notes it as a bridge when it is longer than steps along a wall are.
  *
- * @returns the length no points support
+ * @returns the length no points support, beyond a step along a wall
  */
 export function leaveClosed(opening: Opening, rules: OpeningRules, a: number, length: number): number {
   if (length <= rules.supportLength) return 0;
   if (length <= rules.bridgeLimit) opening.bridges.push(a, opening.hull.next[a]);
-  return length;
+  return length - rules.supportLength;
 }
 
 /** Puts p between a and next[a]. */

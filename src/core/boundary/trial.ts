@@ -112,7 +112,8 @@ function openBehind(trial: Trial, mouth: Mouth, pocket: Pocket, outer: Pocket | 
   const logged = log.length;
   const bridged = bridges.length;
   const isOwn = pocket !== outer;
-  const allowed = length > rules.supportLength ? (isOwn ? UNSUPPORTED_SHARE * length : length) : 0;
+  const excess = Math.max(0, length - rules.supportLength);
+  const allowed = isOwn ? UNSUPPORTED_SHARE * excess : excess;
   takeIn(pocket, hull, p);
   insertInto(opening, rules, a, p);
   const [long, short] = lengthOf(hull, a) >= lengthOf(hull, p) ? [a, p] : [p, a];
