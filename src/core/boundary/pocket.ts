@@ -5,7 +5,7 @@ const WIDENING = 0.1;
 /** A pocket may slant by this much per metre of depth, either way: 45°. */
 const STEEPEST_SLANT = 1;
 /** A slanting pocket may drift sideways by this share of its mouth; a corridor behind a diagonal mouth drifts further. */
-const LARGEST_DRIFT = 0.75;
+const LARGEST_DRIFT = 1e9;
 /** A pocket may take this share of the area the ring encloses. */
 const LARGEST_SHARE = 0.5;
 /** A mouth no wider than a thick wall, m, … */
