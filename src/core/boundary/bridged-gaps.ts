@@ -2,8 +2,8 @@ import type { StageContext } from '../context.ts';
 import { orientation } from '../geometry/predicates.ts';
 import { squaredDistanceToSegment } from '../geometry/segments.ts';
 import type { Gap, Ring } from '../types.ts';
-import { missingCorner } from './gap-corner.ts';
-import { coordinatesOf } from './hull-ring.ts';
+import { isClear, missingCorner } from './gap-corner.ts';
+import { coordinatesOf, ringPoints } from './hull-ring.ts';
 import { NOISE_DEPTH, type Opening } from './opening.ts';
 import { findOpeningPoint } from './opening-point.ts';
 import { continuesWalls } from './wall-run.ts';
@@ -16,27 +16,51 @@ const LEAST_COSINE = -0.34;
 /** Gaps told one by one in the warning; the rest are counted. */
 const TOLD = 3;
 
+/** A bridge that is a gap in a wall: its first point, and the corner it took away, if any. */
+export interface BridgedGap {
+  readonly a: number;
+  readonly corner: Gap['from'] | null;
+}
+
+/**
+ * Which bridges are gaps in walls, and the corners these took away.
+ *
+ * @param opening down to `supportLength`, so that the walls at the gaps' ends show whatever the opening length
+ * @param longestLeg longest way from a gap's end to its corner, m
+ */
+export function findGaps(opening: Opening, longestLeg: number): readonly BridgedGap[] {
+  const { hull, bridges } = opening;
+  const points = ringPoints(hull);
+  const ring = coordinatesOf(hull);
+  const placeOf = new Map(points.map((point, place) => [point, place]));
+  const found: BridgedGap[] = [];
+  for (let k = 0; k < bridges.length; k += 2) {
+    const a = bridges[k];
+    if (!continuesWalls(hull, a, LEAST_COSINE)) continue;
+    const corner = missingCorner(ring, placeOf.get(a)!, longestLeg);
+    found.push({ a, corner: corner === null || hidesPoint(opening, a, corner) ? null : corner });
+  }
+  return found;
+}
+
 /**
  * The ring of an opening with the corners that gaps took away put back, and the gaps, widest first.
  *
  * A put-back corner is the one vertex that is no point of the slice; it splits its gap in two.
  */
 export function closeGaps(
-  opening: Opening,
-  longestLeg: number,
+  { hull }: Opening,
+  found: readonly BridgedGap[],
 ): { readonly ring: Ring; readonly gaps: Gap[] } {
-  const { hull, bridges } = opening;
   const { x, y } = hull.grid;
   const gaps: Gap[] = [];
   let ring = coordinatesOf(hull);
-  for (let k = 0; k < bridges.length; k += 2) {
-    const [a, b] = [bridges[k], bridges[k + 1]];
-    if (!continuesWalls(hull, a, LEAST_COSINE)) continue;
+  for (const { a, corner } of found) {
+    const b = hull.next[a];
     const from = [x[a], y[a]] as const;
     const to = [x[b], y[b]] as const;
     const edge = vertexAt(ring, from);
-    const corner = missingCorner(ring, edge, longestLeg);
-    if (corner === null || hidesPoint(opening, a, corner)) gaps.push(gapBetween(from, to));
+    if (corner === null || !isClear(ring, edge, corner)) gaps.push(gapBetween(from, to));
     else {
       ring = withVertex(ring, edge, corner);
       gaps.push(gapBetween(from, corner), gapBetween(corner, to));
