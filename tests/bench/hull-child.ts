@@ -74,7 +74,7 @@ function chain(xy: Float32Array, isStraightened: boolean): () => Made {
   return () => {
     const slice = makeSlice(cloud, indices, [0, 0], options);
     const boundary = findBoundary(slice, options, context);
-    const { polygons } = isStraightened ? regulariseBoundary(boundary, slice, options) : boundary;
+    const { polygons } = isStraightened ? regulariseBoundary(boundary, slice, options, context) : boundary;
     return { ring: polygons[0].outer, openingLength: boundary.openingLength };
   };
 }
