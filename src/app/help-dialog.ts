@@ -7,6 +7,8 @@ const SHORTCUTS = [
   ['0', 'Show all of it'],
   ['Arrow keys', 'Move it'],
   ['Shift + arrow keys', 'Turn the model'],
+  ['[ ]', 'Step before, next step, while going step by step'],
+  ['Esc', 'Leave a comparison'],
   ['Double click', 'Show all of the plan; go to a spot of the model'],
   ['Ctrl + Z, Ctrl + Shift + Z', 'Undo and redo a parameter'],
   ['?', 'This help'],

@@ -25,9 +25,11 @@ export function listField({ id, change }: FieldFacts, choices: readonly string[]
   };
   return {
     node,
-    set(value, { options }) {
+    set(value, { options, view }) {
       const given = value as readonly string[];
-      grow(Math.max(1, options.secondaryCount));
+      const found = view?.secondary.boundaries.length ?? 0;
+      const asked = options.secondaryCount;
+      grow(Math.max(1, typeof asked === 'number' ? asked : found));
       for (const [i, select] of selects.entries()) select.value = given[Math.min(i, given.length - 1)];
     },
   };

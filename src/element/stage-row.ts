@@ -7,6 +7,7 @@ import { makeLevelPicker } from './level-picker.ts';
 import { make, setAttribute, setText } from './make.ts';
 import type { Actions, Model, Panel } from './model.ts';
 import { makeStagePicture } from './stage-picture.ts';
+import { makeStepLink } from './step-link.ts';
 
 type Mark = 'waiting' | 'running' | 'done' | 'kept' | 'failed';
 
@@ -68,14 +69,15 @@ export function makeStageRow(stage: StageName, actions: Actions): Panel {
   };
 }
 
-/** The picture, the controls, and those for few behind one more line. */
+/** The way to its pictures, the small one, the controls, and those for few behind one more line. */
 function makeParts(stage: StageName, actions: Actions): Panel[] {
-  const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage);
+  // The preset stands above the stages: it holds for all of them.
+  const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage && name !== 'preset');
   const isAdvanced = (name: ParamName) => (PARAMS[name] as ParamRow).advanced === true;
   const main = names.filter((name) => !isAdvanced(name)).map((name) => controlOf(name, actions));
   const more = names.filter(isAdvanced).map((name) => controlOf(name, actions));
   const picture = makeStagePicture(stage);
-  const parts = [...(picture ? [picture] : []), ...main];
+  const parts = [makeStepLink(stage, actions), ...(picture ? [picture] : []), ...main];
   if (more.length === 0) return parts;
   const node = make(
     'details',
