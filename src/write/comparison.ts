@@ -4,7 +4,7 @@ import type { Polygon } from '../core/types.ts';
 import { comparePolygons } from './compare-polygons.ts';
 import { path } from './pictures/marks.ts';
 import { mappedRings, slicePoints } from './pictures/outline-pictures.ts';
-import { CONTENT_WIDTH, type Drawing, MARGIN, pageOf } from './pictures/page.ts';
+import { CONTENT_WIDTH, type Drawing, lengthWords, MARGIN, pageOf } from './pictures/page.ts';
 import { MUTED, OKABE_ITO } from './pictures/palette.ts';
 import { boundsOfAll, ringsOf, type TopView, topView } from './pictures/top-view.ts';
 
@@ -44,7 +44,7 @@ export function drawComparison(
       { run: a, outline: outlineA, colour: BLUE },
       { run: b, outline: outlineB, colour: VERMILION },
     ]),
-    counts: [`IoU ${iou.toFixed(3)}`, `95 % within ${(1000 * distance95).toFixed(0)} mm`],
+    counts: [`IoU ${iou.toFixed(3)}`, `95 % within ${lengthWords(distance95)}`],
     legend: [
       { colour: BLUE, label: `${a.label}: ${vertices[0].toLocaleString('en-GB')} vertices` },
       { colour: VERMILION, label: `${b.label}: ${vertices[1].toLocaleString('en-GB')} vertices` },

@@ -1,5 +1,6 @@
 import type { StageResults } from '../core/stage-results.ts';
-import { drawCloud } from './pictures/cloud-pictures.ts';
+import { STAGES } from '../core/stages.ts';
+import { drawCloud } from './pictures/cloud-picture.ts';
 import { drawLevels } from './pictures/levels-picture.ts';
 import { drawModel } from './pictures/model-picture.ts';
 import { drawHull, drawPass, drawSlice } from './pictures/outline-pictures.ts';
@@ -135,10 +136,10 @@ export function drawPicture(
   results: Partial<StageResults>,
   facts: PictureFacts = {},
 ): string | null {
-  const { label, doc, draw }: PictureRow = PICTURES[name];
+  const { label, doc, stage, draw }: PictureRow = PICTURES[name];
   const drawing = draw(results, facts);
   if (drawing === null) return null;
-  const time = facts.ms === undefined ? [] : [timeWords(facts.ms)];
+  const time = facts.ms === undefined ? [] : [`${STAGES[stage].label} ${timeWords(facts.ms)}`];
   return pageOf({ ...drawing, counts: [...drawing.counts, ...time] }, { name, label, doc });
 }
 

@@ -4,7 +4,7 @@ import type { Level, PointCloud } from '../../core/types.ts';
 import { dots, element, path, pixels, text } from './marks.ts';
 import { countOf, type Drawing, MARGIN } from './page.ts';
 import { ACCENT, INK, MUTED, PALE } from './palette.ts';
-import { thinningStep } from './top-view.ts';
+import { sampler, shownShare } from './top-view.ts';
 
 /** Left of the words, px: the side view; and its height, which no building's proportions would give. */
 const VIEW_WIDTH = 356;
@@ -68,18 +68,17 @@ function sideView(cloud: PointCloud, kept: Uint32Array): SideView {
     const height = positions[3 * i + 2] - base;
     return height >= low && height <= high;
   };
-  const step = thinningStep(kept.length);
+  const isShown = sampler(shownShare(kept.length));
+  const shown = kept.filter(() => isShown());
   return {
     low: min[2] - base,
     high: max[2] - base,
     exaggeration: up / across,
     y,
     points(low, high) {
-      const shown: number[] = [];
-      for (let k = 0; k < kept.length; k += step) {
-        if (isWithin(kept[k], low, high)) shown.push(x(kept[k]), y(positions[3 * kept[k] + 2] - base));
-      }
-      return Float64Array.from(shown);
+      const within: number[] = [];
+      for (const i of shown) if (isWithin(i, low, high)) within.push(x(i), y(positions[3 * i + 2] - base));
+      return Float64Array.from(within);
     },
     extent(low, high) {
       let [from, to] = [Infinity, -Infinity];
@@ -170,7 +169,7 @@ function levelWords(level: ChosenLevel, side: SideView): string[] {
   const levels = level.levels.map((one, k) => ({
     y: (side.y(one.low) + side.y(one.high)) / 2 - LINE,
     mark: (y: number) => levelLines(one, k, y),
-    height: 3 * LINE,
+    height: 3.4 * LINE,
   }));
   return stacked([...references, ...levels]);
 }
@@ -180,8 +179,8 @@ function levelLines({ low, high, points, densityPerM2, chosen }: Level, k: numbe
   const density = densityPerM2.toLocaleString('en-GB', { maximumFractionDigits: 0 });
   return [
     text(`Level ${k}${chosen ? ', chosen' : ''}`, WORDS_AT, y, { size: BIG, colour, isBold: true }),
-    text(`${low.toFixed(2)} to ${high.toFixed(2)} m`, WORDS_AT + 92, y, { size: SMALL, colour: MUTED }),
-    text(`${countOf(points, 'point')}, ${density} per m²`, WORDS_AT, y + LINE, { size: SMALL, colour }),
+    text(`${low.toFixed(2)} to ${high.toFixed(2)} m`, WORDS_AT, y + LINE, { size: SMALL, colour: MUTED }),
+    text(`${countOf(points, 'point')}, ${density} per m²`, WORDS_AT, y + 2 * LINE, { size: SMALL, colour }),
   ];
 }
 

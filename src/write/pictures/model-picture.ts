@@ -3,6 +3,7 @@ import type { StageResults } from '../../core/stage-results.ts';
 import type { Solid, SolidGroup } from '../../core/types.ts';
 import { turnToSquare } from '../sheet-turn.ts';
 import { path } from './marks.ts';
+import { castShadow } from './model-shadow.ts';
 import { CONTENT_WIDTH, countOf, type Drawing, MARGIN } from './page.ts';
 import { paintOrder } from './paint-order.ts';
 import { INK } from './palette.ts';
@@ -10,11 +11,17 @@ import { type GroupRings, type SolidSlab, slabsOf } from './solid-slabs.ts';
 
 /** Seen from the south-east, a little more from the south so that no corner hides behind another, and from above. */
 const HEADING = (-58 * Math.PI) / 180;
-const ELEVATION = (48 * Math.PI) / 180;
+/** From as high above that walls hide no more than this share of what lies behind them, within these bounds. */
+const HIDDEN = 0.4;
+const LOWEST = (42 * Math.PI) / 180;
+const HIGHEST = (62 * Math.PI) / 180;
 /** The light comes from the viewer's left. */
 const LIGHT = HEADING - (55 * Math.PI) / 180;
 /** Share of the light that comes from all around. */
-const AMBIENT = 0.74;
+const AMBIENT = 0.8;
+/** Length of a shadow by the height that casts it, and its share of ink: a high sun in a bright sky. */
+const SHADOW = 0.3;
+const SHADE = 0.09;
 const TALLEST = 460;
 /** Faces of a curve that meet flatter than 20° get no line between them. */
 const FLAT = Math.cos(Math.PI / 9);
@@ -30,7 +37,7 @@ interface Clay {
 
 /** Matt clay, slightly darker where it is cut; floors in paper; structures in a muted accent. */
 const CLAY: Record<SolidGroup['kind'], Clay> = {
-  wall: { side: [0xf2, 0xf0, 0xea], top: '#B5B2AA' },
+  wall: { side: [0xf2, 0xf0, 0xea], top: '#A9A69F' },
   floor: { side: [0xe4, 0xe1, 0xd8], top: '#FBFAF6' },
   ceiling: { side: [0xf2, 0xf0, 0xea], top: '#ECEAE4' },
   secondary: { side: [0xb4, 0xc5, 0xe8], top: '#8FA6D6' },
@@ -45,6 +52,9 @@ export function drawModel({ solid, plan }: Partial<StageResults>): Drawing | nul
   const items = slabs.flatMap((slab, k) => [
     ...paintSides(slab, slabs[k - 1], eye),
     ...slab.tops.map((top) => paintTop(top, slab.high, eye)),
+    ...slab.tops.flatMap(({ group, rings }) =>
+      group.kind === 'floor' ? paintShadow(rings, slab.high, slabs.slice(k + 1), eye) : [],
+    ),
   ]);
   return {
     height: eye.height,
@@ -69,11 +79,13 @@ interface Eye {
   map(xy: ArrayLike<number>, z: number): Float64Array;
 }
 
-function makeEye({ positions }: Solid, turn: number): Eye {
+function makeEye(solid: Solid, turn: number): Eye {
+  const { positions } = solid;
   const direction = (angle: number) => [Math.cos(angle - turn), Math.sin(angle - turn)] as const;
   const towards = direction(HEADING);
   const right = [-towards[1], towards[0]] as const;
-  const [lift, rise] = [Math.sin(ELEVATION), Math.cos(ELEVATION)];
+  const elevation = elevationFor(solid, towards);
+  const [lift, rise] = [Math.sin(elevation), Math.cos(elevation)];
   const project = (x: number, y: number, z: number) =>
     [right[0] * x + right[1] * y, lift * (towards[0] * x + towards[1] * y) - rise * z] as const;
   const flat = new Float64Array((positions.length / 3) * 2);
@@ -96,6 +108,20 @@ function makeEye({ positions }: Solid, turn: number): Eye {
       return mapped;
     },
   };
+}
+
+/** How steeply to look: a wall of height h hides h / tan(elevation) of the ground behind it. */
+function elevationFor({ positions }: Solid, towards: readonly [number, number]): number {
+  let [nearest, farthest, lowest, highest] = [-Infinity, Infinity, Infinity, -Infinity];
+  for (let i = 0; i < positions.length; i += 3) {
+    const depth = towards[0] * positions[i] + towards[1] * positions[i + 1];
+    nearest = Math.max(nearest, depth);
+    farthest = Math.min(farthest, depth);
+    lowest = Math.min(lowest, positions[i + 2]);
+    highest = Math.max(highest, positions[i + 2]);
+  }
+  const steepness = Math.atan2(highest - lowest, HIDDEN * (nearest - farthest));
+  return Math.min(HIGHEST, Math.max(LOWEST, steepness));
 }
 
 function fitPage({ minX, minY, maxX, maxY }: Bounds) {
@@ -216,6 +242,19 @@ function paintTop({ group, rings }: GroupRings, z: number, eye: Eye): string {
     true,
     { ...EDGE, fill: CLAY[group.kind].top, 'fill-rule': 'evenodd', 'stroke-linejoin': 'round' },
   );
+}
+
+function paintShadow(
+  floor: readonly Float64Array[],
+  z: number,
+  above: readonly SolidSlab[],
+  eye: Eye,
+): string[] {
+  const perMetre = [-SHADOW * eye.light[0], -SHADOW * eye.light[1]] as const;
+  const shadow = castShadow(floor, z, above, perMetre);
+  if (shadow.length === 0) return [];
+  const rings = shadow.flatMap(({ outer, holes }) => [outer, ...holes]).map((ring) => eye.map(ring, z));
+  return [path(rings, true, { fill: INK, 'fill-opacity': SHADE, 'fill-rule': 'evenodd' })];
 }
 
 /** Lambert's law under one light and an even sky. */

@@ -4,10 +4,12 @@ import type { StageResults } from '../../core/stage-results.ts';
 import type { Gap, Polygon } from '../../core/types.ts';
 import { dots, path } from './marks.ts';
 import { countOf, type Drawing } from './page.ts';
-import { ACCENT, AMBER, INK, MUTED, PALE } from './palette.ts';
+import { ACCENT, AMBER, INK, MUTED, OKABE_ITO, PALE } from './palette.ts';
 import { boundsOfAll, ringsOf, type TopView, thinned, topView } from './top-view.ts';
 
 type Results = Partial<StageResults>;
+
+const [, VERMILION] = OKABE_ITO;
 
 /** Diameter of a point, px: smaller where there are many. */
 const FEW_POINT = 2.2;
@@ -15,8 +17,9 @@ const MANY_POINT = 1.3;
 const MANY = 5000;
 /** Widths of lines and diameter of a vertex, px. */
 const OUTLINE = 1.5;
-const BEFORE = 4;
+const BEFORE = 6;
 const VERTEX = 4;
+const DROPPED = 2.6;
 /** Past this many vertices dots would hide the line. */
 const MOST_VERTEX_DOTS = 1500;
 const FINE_VERTEX = 2.4;
@@ -26,13 +29,12 @@ export function drawSlice({ slice }: Results): Drawing | null {
   if (slice === undefined) return null;
   const view = topView(boundsOfAll([slice.xy]));
   const { band, spacing, xy } = slice;
-  const height =
-    band[0] < band[1] ? [`${band[0].toFixed(2)} to ${band[1].toFixed(2)} m above the floor`] : [];
+  const height = band[0] < band[1] ? [`${band[0].toFixed(2)} to ${band[1].toFixed(2)} m`] : [];
   return {
     height: view.height,
     pixelsPerMetre: view.pixelsPerMetre,
     items: [slicePoints(xy, view, INK)],
-    counts: [countOf(xy.length / 2, 'point'), ...height, `mean spacing ${(1000 * spacing).toFixed(1)} mm`],
+    counts: [countOf(xy.length / 2, 'point'), ...height, `spacing ${(1000 * spacing).toFixed(0)} mm`],
   };
 }
 
@@ -81,19 +83,38 @@ export function drawPass(pass: string, { boundary, regularise }: Results): Drawi
   const after = regularise.passes[at].polygons;
   const view = topView(boundsOfAll([...ringsOf(boundary.polygons), ...ringsOf(after)]));
   const [from, to] = [vertexCount(before), vertexCount(after)];
+  const dropped = droppedVertices(before, after);
   return {
     height: view.height,
     pixelsPerMetre: view.pixelsPerMetre,
     items: [
       path(mappedRings(before, view), true, { fill: 'none', stroke: PALE, 'stroke-width': BEFORE, ...ROUND }),
+      dots(view.map(dropped), { colour: VERMILION, size: DROPPED }),
       ...outlineMarks(after, view, ACCENT),
     ],
     counts: [`${from.toLocaleString('en-GB')} → ${countOf(to, 'vertex', 'vertices')}`],
     legend: [
       { colour: PALE, label: 'Before' },
       { colour: ACCENT, label: 'After' },
+      ...(dropped.length === 0 ? [] : [{ colour: VERMILION, label: 'Vertex dropped' }]),
     ],
   };
+}
+
+/** Vertices of the rings before that the rings after do not have: x, y each. */
+function droppedVertices(before: readonly Polygon[], after: readonly Polygon[]): Float64Array {
+  const kept = new Set(ringsOf(after).flatMap(vertexKeys));
+  const dropped: number[] = [];
+  for (const ring of ringsOf(before)) {
+    vertexKeys(ring).forEach((key, i) => {
+      if (!kept.has(key)) dropped.push(ring[2 * i], ring[2 * i + 1]);
+    });
+  }
+  return Float64Array.from(dropped);
+}
+
+function vertexKeys(ring: Float64Array): string[] {
+  return Array.from({ length: ring.length / 2 }, (_, i) => `${ring[2 * i]} ${ring[2 * i + 1]}`);
 }
 
 const ROUND = { 'stroke-linejoin': 'round' } as const;

@@ -14,6 +14,8 @@ const LEGEND_LINE = 18;
 const CAPTION_HEIGHT = 44;
 /** Space for a legend's swatch, px. */
 const SWATCH = 13;
+/** Between a picture's name and its figures, px. */
+const CAPTION_GAP = 10;
 /** Longest scale bar, and half the height of its ends, px. */
 const LONGEST_BAR = 110;
 const BAR_END = 3.5;
@@ -58,7 +60,7 @@ export function pageOf(drawing: Drawing, { name, label, doc }: PageWords): strin
     element('rect', { id: 'paper', width: WIDTH, height, fill: PAPER }),
     element('g', { id: name }, items),
     ...key.marks,
-    ...caption(label, counts.join(' · '), base, room),
+    caption(label, counts.join(' · '), base, room),
     ...(bar === null ? [] : [bar.mark]),
   ];
   const root = {
@@ -78,12 +80,13 @@ export function countOf(n: number, singular: string, plural = `${singular}s`): s
   return `${n.toLocaleString('en-GB')} ${n === 1 ? singular : plural}`;
 }
 
-function caption(label: string, counts: string, y: number, room: number): string[] {
-  const title = text(label, MARGIN, y, { size: TEXT_SIZE, isBold: true });
-  // Bold letters are about a tenth wider.
-  const x = MARGIN + 1.1 * textWidth(label, TEXT_SIZE) + 10;
-  const words = shorten(counts, TEXT_SIZE, MARGIN + room - x);
-  return words === '' ? [title] : [title, text(words, x, y, { size: TEXT_SIZE, colour: MUTED })];
+/** One text, so that the figures follow the name whatever the viewer's font. */
+function caption(label: string, counts: string, y: number, room: number): string {
+  const words = shorten(counts, TEXT_SIZE, room - textWidth(label, TEXT_SIZE) - CAPTION_GAP);
+  const place = { x: MARGIN, y: pixels(y), 'font-size': TEXT_SIZE, fill: INK };
+  const title = element('tspan', { 'font-weight': 600 }, escapeXml(label));
+  const figures = element('tspan', { dx: CAPTION_GAP, fill: MUTED }, escapeXml(words));
+  return element('text', { id: 'caption', ...place }, words === '' ? title : title + figures);
 }
 
 /** Entries side by side, on as many lines as they need. @param top of the first line, px */
@@ -126,8 +129,10 @@ function scaleBar(pixelsPerMetre: number, base: number): { readonly mark: string
   return { mark: element('g', { id: 'scale-bar' }, [line, words]), width };
 }
 
-/** A round length in the unit that needs no decimals. */
-function lengthWords(metres: number): string {
-  if (metres >= 1) return `${metres} m`;
-  return metres >= 0.01 ? `${Math.round(metres * 100)} cm` : `${Number((metres * 1000).toPrecision(1))} mm`;
+/** A length to three digits, in the unit that reads best. */
+export function lengthWords(metres: number): string {
+  if (!Number.isFinite(metres)) return '∞';
+  const [value, unit] =
+    metres >= 1 ? [metres, 'm'] : metres >= 0.1 ? [100 * metres, 'cm'] : [1000 * metres, 'mm'];
+  return `${Number(value.toPrecision(3))} ${unit}`;
 }

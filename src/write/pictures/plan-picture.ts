@@ -19,8 +19,8 @@ export function drawPlan({ plan }: Partial<StageResults>): Drawing | null {
   const storey = plan?.storeys[0];
   if (plan === undefined || storey === undefined) return null;
   const { primary, secondary, gaps, walls } = storey;
-  const section = wallSection(storey);
   const outlines = secondary.map(({ outline }) => outline);
+  const section = combine('difference', wallSection(storey), outlines);
   const shown = [...section, ...primary, ...outlines];
   if (shown.length === 0) return null;
   const view = topView(boundsOfAll(ringsOf(shown)));
@@ -35,8 +35,8 @@ export function drawPlan({ plan }: Partial<StageResults>): Drawing | null {
     ],
     counts: [
       ...(plan.storeys.length === 1 ? [] : [`storey 0 of ${plan.storeys.length}`]),
-      `inside ${areaOf(combine('union', primary)).toFixed(1)} m²`,
-      `walls ${(100 * thickness).toFixed(0)} cm thick, ${storey.height.toFixed(2)} m high`,
+      `${areaOf(combine('union', primary)).toFixed(1)} m²`,
+      `walls ${thickness.toFixed(2)} × ${storey.height.toFixed(2)} m`,
       ...operationCounts(secondary),
     ],
     legend: gaps.length === 0 ? [] : [{ colour: AMBER, label: countOf(gaps.length, 'bridged gap') }],

@@ -7,7 +7,7 @@ import { mappedRings, outlineMarks } from './outline-pictures.ts';
 import { CONTENT_WIDTH, countOf, type Drawing, MARGIN } from './page.ts';
 import { ACCENT, clusterColour, INK, OKABE_ITO, PALE } from './palette.ts';
 import type { PictureFacts } from './picture.ts';
-import { boundsOfAll, ringsOf, type TopView, thinned, thinningStep, topView } from './top-view.ts';
+import { boundsOfAll, ringsOf, shownShare, type TopView, thinned, topView } from './top-view.ts';
 
 type Results = Partial<StageResults>;
 
@@ -48,20 +48,20 @@ export function drawRegion({ slice, regularise, secondary }: Results): Drawing |
 
 /** Fig. 3b: the slice's points by cluster, each cluster to be picked by its number. */
 export function drawClusters({ slice, regularise, secondary }: Results): Drawing | null {
-  if (!slice || !secondary || secondary.clusters.length === 0) return null;
+  const clusters = [...new Set(secondary?.clusters)].sort((a, b) => a - b);
+  if (!slice || !secondary || clusters.length < 2) return null;
   const view = wholeView(slice, regularise?.polygons ?? []);
-  const clusters = [...new Set(secondary.clusters)].sort((a, b) => a - b);
   const groups = clusters.map((cluster) => ({
     cluster,
     points: pointsOf(slice, secondary, (other) => other === cluster),
   }));
-  const step = thinningStep(slice.xy.length / 2);
+  const share = shownShare(slice.xy.length / 2);
   return {
     height: view.height,
     pixelsPerMetre: view.pixelsPerMetre,
     items: groups.map(({ cluster, points }) =>
       dots(
-        view.map(thinned(points, step)),
+        view.map(thinned(points, share)),
         { colour: clusterColour(cluster), size: POINT },
         { id: `cluster-${cluster}`, 'data-pick': `cluster:${cluster}` },
       ),
@@ -95,7 +95,7 @@ export function drawSecondaryOutline(results: Results, facts: PictureFacts): Dra
     items: [clipped([...primaryMarks(regularise.polygons, view), ...items], view)],
     counts: [
       ...(facts.round === undefined ? [] : [`round ${facts.round}`]),
-      `${sizeOf(found.map(({ near }) => near)).toLocaleString('en-GB')} points near the centre`,
+      `${sizeOf(found.map(({ near }) => near)).toLocaleString('en-GB')} points`,
       `${sizeOf(dropped).toLocaleString('en-GB')} dropped`,
       `${kept.toLocaleString('en-GB')} kept`,
     ],
@@ -126,9 +126,9 @@ export function drawSecondary({ slice, regularise, secondary }: Results): Drawin
       ...outlineMarks(outlines, view, VERMILION),
     ],
     counts: [
-      countOf(boundaries.length, 'secondary boundary', 'secondary boundaries'),
+      `${boundaries.length} found`,
       countOf(vertexCount(outlines), 'vertex', 'vertices'),
-      `from ${countOf(sizeOf(sources), 'point')}`,
+      countOf(sizeOf(sources), 'point'),
     ],
     legend: [
       { colour: ACCENT, label: 'Primary boundary' },

@@ -1,4 +1,5 @@
 import { type Bounds, boundsOf } from '../../core/geometry/rings.ts';
+import { createRandom } from '../../core/random.ts';
 import type { Polygon } from '../../core/types.ts';
 import { CONTENT_WIDTH, MARGIN } from './page.ts';
 
@@ -10,6 +11,7 @@ const BLANK = 8;
 
 /** More dots than this on a picture only make its file heavy. */
 const MOST_DOTS = 20_000;
+const SEED = 1;
 
 /** Where plan metres lie on the page. */
 export interface TopView {
@@ -66,17 +68,23 @@ export function boundsOfAll(parts: readonly Float64Array[]): Bounds {
   };
 }
 
-/** One dot stands for this many of so many points. */
-export const thinningStep = (points: number, most = MOST_DOTS): number =>
-  Math.max(1, Math.ceil(points / most));
+/** The share of so many points that a picture shows. */
+export const shownShare = (points: number): number => Math.min(1, MOST_DOTS / points);
 
-/** Every `step`-th point; by default few enough for a picture. @param xy x, y a point */
-export function thinned(xy: Float64Array, step = thinningStep(xy.length / 2)): Float64Array {
-  if (step === 1) return xy;
-  const kept = new Float64Array(2 * Math.ceil(xy.length / 2 / step));
-  for (let i = 0; i < kept.length; i += 2) {
-    kept[i] = xy[i * step];
-    kept[i + 1] = xy[i * step + 1];
-  }
-  return kept;
+/**
+ * Decides point by point which are shown. By chance, with a fixed seed: points come in the order of a lattice, where
+ * every n-th one would draw stripes.
+ */
+export function sampler(share: number): () => boolean {
+  const random = createRandom(SEED);
+  return () => share >= 1 || random() < share;
+}
+
+/** About as many of the points as asked for; by default few enough for a picture. @param xy x, y a point */
+export function thinned(xy: Float64Array, share = shownShare(xy.length / 2)): Float64Array {
+  if (share >= 1) return xy;
+  const isShown = sampler(share);
+  const kept: number[] = [];
+  for (let i = 0; i < xy.length; i += 2) if (isShown()) kept.push(xy[i], xy[i + 1]);
+  return Float64Array.from(kept);
 }
