@@ -34,6 +34,13 @@ export function makeHelpDialog(): HTMLDialogElement {
     definitions(OPENED.map(describe)),
     make('h3', {}, 'Saves'),
     definitions(SAVED.map(describe)),
+    make('h3', {}, 'The paper behind it'),
+    make(
+      'p',
+      {},
+      make('a', { href: './reproduction/index.html' }, 'Its figures and tables, reproduced'),
+      ' on sets like its own, with what each method makes of them.',
+    ),
     make('h3', {}, 'Privacy'),
     make('p', {}, PRIVACY),
   );
