@@ -38,7 +38,7 @@ export function makeHelpDialog(): HTMLDialogElement {
     make(
       'p',
       {},
-      make('a', { href: './reproduction/index.html' }, 'Its figures and tables, reproduced'),
+      make('a', { href: './reproduction/index.html' }, 'Its figures and numbers, reproduced'),
       ' on sets like its own, with what each method makes of them.',
     ),
     make('h3', {}, 'Privacy'),

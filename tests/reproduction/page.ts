@@ -72,7 +72,7 @@ function header(): Markup {
   return html`<header>
 <p class="home"><a href="../index.html">Grundriss</a></p>
 <h1>The paper, reproduced</h1>
-<p class="lede">Every experiment of Stojanovic, Trapp, Richter and Döllner, <cite>Generation of Approximate 2D and 3D Floor Plans from 3D Point Clouds</cite> (GRAPP 2019), run again: its figures 3 to 8, its tables, its rival, and how far each result is from the truth.</p>
+<p class="lede">The experiments of Stojanovic, Trapp, Richter and Döllner, <cite>Generation of Approximate 2D and 3D Floor Plans from 3D Point Clouds</cite> (GRAPP 2019), run again: its figures 3 to 8, its numbers beside ours, its rival, and how far each result is from the truth.</p>
 <nav aria-label="Contents">${entries.map(([id, label]) => html`<a href="#${id}">${label}</a> `)}</nav>
 </header>`;
 }
