@@ -100,13 +100,14 @@ function controlOf(name: ParamName, actions: Actions): Panel {
   return PARAMS[name].kind === 'level' ? makeLevelPicker(actions) : makeControl(name, actions);
 }
 
-function markOf(stage: StageName, { state, progress, view }: Model): Mark {
+function markOf(stage: StageName, { state, progress, failed, view }: Model): Mark {
   if (state === 'loading') {
     const at = progress ? STAGE_NAMES.indexOf(progress.stage) : 0;
     const own = STAGE_NAMES.indexOf(stage);
     return own < at ? 'done' : own === at ? 'running' : 'waiting';
   }
-  if (state === 'failed' && progress?.stage === stage) return 'failed';
+  // Progress is told thirty times a second; a run that fails at once has told less than its error knows.
+  if (state === 'failed' && (failed ?? progress)?.stage === stage) return 'failed';
   const report = view?.stages.find(({ name }) => name === stage);
   if (!report) return 'waiting';
   return report.isCached ? 'kept' : 'done';

@@ -39,6 +39,8 @@ export interface PictureFacts {
 
 /** How far a run that failed got. */
 export interface Evidence {
+  /** The stage that failed. */
+  readonly stage: StageName;
   /** Of the stages before the failing one. */
   readonly pictures: readonly PictureFacts[];
 }

@@ -1,6 +1,6 @@
 import { FloorPlanError, toPlainError } from '../core/errors.ts';
 import type { StageResults } from '../core/stage-results.ts';
-import type { StageName } from '../core/stages.ts';
+import { STAGE_NAMES, type StageName } from '../core/stages.ts';
 import { blobSource } from '../read/blob-source.ts';
 import { urlSource } from '../read/url-source.ts';
 import { Session, type SessionControl } from '../session/session.ts';
@@ -93,8 +93,9 @@ class Desk {
     } catch (error) {
       if (error instanceof FloorPlanError && error.code === 'cancelled') throw error;
       this.#results.failed = this.#session.evidence;
-      const pictures = this.#pictures.list(this.#results.failed, this.#session.reports);
-      const evidence = { pictures };
+      const { reports } = this.#session;
+      const pictures = this.#pictures.list(this.#results.failed, reports);
+      const evidence = { stage: STAGE_NAMES[reports.length], pictures };
       return this.#post({ kind: 'error', id: request.id, error: toPlainError(error), evidence });
     }
     const totalMs = performance.now() - start;

@@ -54,8 +54,8 @@ export class Caption {
     setText(this.#outcome, outcomeOf(picture));
     setText(this.#doc, picture.doc);
     // Not disabled: the keyboard would lose its place.
-    setAttribute(this.#back, 'aria-disabled', place === 0);
-    setAttribute(this.#forth, 'aria-disabled', place === pictures.length - 1);
+    setAttribute(this.#back, 'aria-disabled', String(place === 0));
+    setAttribute(this.#forth, 'aria-disabled', String(place === pictures.length - 1));
   }
 }
 

@@ -3,7 +3,7 @@ import { STAGES } from '../../core/stages.ts';
 import type { Comparison } from '../../worker/protocol.ts';
 import { iconButton } from '../chips.ts';
 import { icon } from '../icon.ts';
-import { make, setText } from '../make.ts';
+import { make, setAttribute, setText } from '../make.ts';
 import type { Actions, Model } from '../model.ts';
 import { sayLabels } from '../plain-words.ts';
 import { makeSwitch } from '../switch.ts';
@@ -59,7 +59,7 @@ export class ComparePanel {
         class: 'button',
         testid: 'save-comparison',
         title: 'Save this comparison as SVG',
-        on: { click: () => events.onSave() },
+        on: { click: () => this.#comparison && events.onSave() },
       },
       icon('download'),
       'SVG',
@@ -170,7 +170,8 @@ export class ComparePanel {
 
   #take(comparison: Comparison | null): void {
     this.#comparison = comparison;
-    this.#save.disabled = comparison === null;
+    // Not disabled: the keyboard would lose its place, and Escape with it.
+    setAttribute(this.#save, 'aria-disabled', String(comparison === null));
     this.#table.show(comparison);
     this.#events.onPicture();
   }

@@ -1,3 +1,4 @@
+import { STAGES } from '../../core/stages.ts';
 import { icon } from '../icon.ts';
 import { make, setText } from '../make.ts';
 import type { Actions, Panel } from '../model.ts';
@@ -24,7 +25,7 @@ export class FailedBanner implements Panel {
   show({ steps, failed, view }: Parameters<Panel['show']>[0]): void {
     this.node.hidden = steps.of !== 'failed' || !failed;
     if (!failed) return;
-    setText(this.#words, `So far the run came, then: ${sayLabels(failed.error.message)}`);
+    setText(this.#words, `${STAGES[failed.stage].label} failed: ${sayLabels(failed.error.message)}`);
     this.#back.hidden = view === null;
   }
 }

@@ -23,7 +23,8 @@ export class Filmstrip {
     const names = new Set(pictures.map(({ name }) => name));
     for (const name of [...this.#stills.keys()]) if (!names.has(name)) this.#drop(name);
     const tabs = pictures.map((facts) => this.#still(facts).tab);
-    if (tabs.some((tab, i) => this.node.children[i] !== tab)) this.node.replaceChildren(...tabs);
+    const isSame = tabs.length === this.node.childElementCount;
+    if (!isSame || tabs.some((tab, i) => this.node.children[i] !== tab)) this.node.replaceChildren(...tabs);
     for (const { name, label } of pictures) {
       const still = this.#stills.get(name)!;
       const isChosen = name === chosen.name;
