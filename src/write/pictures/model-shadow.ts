@@ -30,19 +30,43 @@ type Shift = readonly [x: number, y: number];
 const shift = ([x, y]: Shift, height: number): Shift => [x * height, y * height];
 
 function sweep({ rings }: GroupRings, from: Shift, to: Shift): Polygon[] {
-  const sides = rings.flatMap((ring) => {
-    const quads: Polygon[] = [];
-    for (let i = 0; i < ring.length; i += 2) {
-      const j = (i + 2) % ring.length;
-      const quad = Float64Array.of(
-        ...[ring[i] + from[0], ring[i + 1] + from[1], ring[j] + from[0], ring[j + 1] + from[1]],
-        ...[ring[j] + to[0], ring[j + 1] + to[1], ring[i] + to[0], ring[i + 1] + to[1]],
-      );
-      quads.push({ outer: orientRing(quad, 'counter-clockwise'), holes: [] });
-    }
-    return quads;
-  });
+  const across: Shift = [to[0] - from[0], to[1] - from[1]];
+  const sides = rings.flatMap((ring) =>
+    monotoneChains(ring, across).map((chain) => {
+      const there = moved(chain, from);
+      const back = backwards(moved(chain, to));
+      const outline = Float64Array.of(...there, ...back);
+      return { outer: orientRing(outline, 'counter-clockwise'), holes: [] };
+    }),
+  );
   return [...asPolygons(rings.map((ring) => moved(ring, to))), ...sides];
+}
+
+/** Runs of a ring's edges that all pass the direction from one side: what each sweeps is a simple ring. */
+function monotoneChains(ring: Float64Array, [dx, dy]: Shift): Float64Array[] {
+  const n = ring.length;
+  const sideOf = (i: number): number =>
+    Math.sign((ring[(i + 2) % n] - ring[i]) * dy - (ring[(i + 3) % n] - ring[i + 1]) * dx);
+  let start = 0;
+  while (start < n && sideOf(start) === sideOf((start + n - 2) % n)) start += 2;
+  const chains: number[][] = [];
+  let side = 0;
+  for (let k = 0; k < n; k += 2) {
+    const i = (start + k) % n;
+    const own = sideOf(i);
+    if (own === 0) side = 0;
+    else if (own === side) chains.at(-1)!.push(ring[(i + 2) % n], ring[(i + 3) % n]);
+    else {
+      side = own;
+      chains.push([ring[i], ring[i + 1], ring[(i + 2) % n], ring[(i + 3) % n]]);
+    }
+  }
+  return chains.map((chain) => Float64Array.from(chain));
+}
+
+/** The vertices in the opposite order. */
+function backwards(line: Float64Array): Float64Array {
+  return line.map((_, i) => line[line.length - 2 - i + 2 * (i % 2)]);
 }
 
 function moved(ring: Float64Array, [x, y]: Shift): Float64Array {

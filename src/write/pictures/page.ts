@@ -8,14 +8,13 @@ const WIDTH = 640;
 export const MARGIN = 24;
 export const CONTENT_WIDTH = WIDTH - 2 * MARGIN;
 const TEXT_SIZE = 12;
-/** Height of the legend's first line, of its next ones and of the caption, px. */
+/** Height of the legend's first line, of its next ones, of the caption and of its lines, px. */
 const LEGEND_HEIGHT = 24;
 const LEGEND_LINE = 18;
-const CAPTION_HEIGHT = 44;
+const CAPTION_HEIGHT = 62;
+const CAPTION_LINE = 17;
 /** Space for a legend's swatch, px. */
 const SWATCH = 13;
-/** Between a picture's name and its figures, px. */
-const CAPTION_GAP = 10;
 /** Longest scale bar, and half the height of its ends, px. */
 const LONGEST_BAR = 110;
 const BAR_END = 3.5;
@@ -51,17 +50,15 @@ export function pageOf(drawing: Drawing, { name, label, doc }: PageWords): strin
   const { items, counts, legend = [], pixelsPerMetre } = drawing;
   const key = legendBlock(legend, drawing.height);
   const height = Math.ceil(drawing.height + key.height + CAPTION_HEIGHT);
-  const base = height - 16;
-  const bar = pixelsPerMetre === undefined ? null : scaleBar(pixelsPerMetre, base);
-  const room = CONTENT_WIDTH - (bar === null ? 0 : bar.width + MARGIN);
+  const base = height - CAPTION_LINE - 16;
   const content = [
     `<title>${escapeXml(label)}</title>`,
     `<desc>${escapeXml([doc, counts.join(', ')].filter((words) => words !== '').join(' '))}</desc>`,
     element('rect', { id: 'paper', width: WIDTH, height, fill: PAPER }),
     element('g', { id: name }, items),
     ...key.marks,
-    caption(label, counts.join(' · '), base, room),
-    ...(bar === null ? [] : [bar.mark]),
+    caption(label, counts.join(' · '), base),
+    ...(pixelsPerMetre === undefined ? [] : [scaleBar(pixelsPerMetre, base)]),
   ];
   const root = {
     xmlns: 'http://www.w3.org/2000/svg',
@@ -80,12 +77,12 @@ export function countOf(n: number, singular: string, plural = `${singular}s`): s
   return `${n.toLocaleString('en-GB')} ${n === 1 ? singular : plural}`;
 }
 
-/** One text, so that the figures follow the name whatever the viewer's font. */
-function caption(label: string, counts: string, y: number, room: number): string {
-  const words = shorten(counts, TEXT_SIZE, room - textWidth(label, TEXT_SIZE) - CAPTION_GAP);
-  const place = { x: MARGIN, y: pixels(y), 'font-size': TEXT_SIZE, fill: INK };
+/** The picture's name beside the scale bar, its figures on the line beneath. */
+function caption(label: string, counts: string, y: number): string {
+  const words = shorten(counts, TEXT_SIZE, CONTENT_WIDTH);
   const title = element('tspan', { 'font-weight': 600 }, escapeXml(label));
-  const figures = element('tspan', { dx: CAPTION_GAP, fill: MUTED }, escapeXml(words));
+  const figures = element('tspan', { x: MARGIN, dy: CAPTION_LINE, fill: MUTED }, escapeXml(words));
+  const place = { x: MARGIN, y: pixels(y), 'font-size': TEXT_SIZE, fill: INK };
   return element('text', { id: 'caption', ...place }, words === '' ? title : title + figures);
 }
 
@@ -107,14 +104,13 @@ function legendBlock(
 }
 
 /** The longest of 1, 2, 5 × 10ⁿ metres that fits. */
-function scaleBar(pixelsPerMetre: number, base: number): { readonly mark: string; readonly width: number } {
+function scaleBar(pixelsPerMetre: number, base: number): string {
   const most = LONGEST_BAR / pixelsPerMetre;
   const power = 10 ** Math.floor(Math.log10(most));
   const metres = power * ([5, 2].find((step) => step * power <= most) ?? 1);
   const length = metres * pixelsPerMetre;
   const label = lengthWords(metres);
   const [right, y] = [WIDTH - MARGIN, base - 4];
-  const width = length + 8 + textWidth(label, TEXT_SIZE);
   const left = right - length;
   const line = path(
     [
@@ -126,7 +122,7 @@ function scaleBar(pixelsPerMetre: number, base: number): { readonly mark: string
     { fill: 'none', stroke: INK, 'stroke-width': 1 },
   );
   const words = text(label, left - 8, base, { size: TEXT_SIZE, anchor: 'end' });
-  return { mark: element('g', { id: 'scale-bar' }, [line, words]), width };
+  return element('g', { id: 'scale-bar' }, [line, words]);
 }
 
 /** A length to three digits, in the unit that reads best. */

@@ -49,26 +49,32 @@ function heightsOf({ positions }: Solid): number[] {
   return heights;
 }
 
+/** A directed edge of a section or face; keys name places of the mesh, so equal places need no comparing of numbers. */
+interface RingEdge {
+  readonly from: number;
+  readonly to: number;
+  /** Where `from` is, m. */
+  readonly x: number;
+  readonly y: number;
+}
+
 /** Where the triangles of a group meet a height that no vertex has. */
 function sectionAt({ positions, indices }: Solid, { start, count }: SolidGroup, z: number): Float64Array[] {
-  const ends: number[] = [];
+  const vertices = positions.length / 3;
+  const edges: RingEdge[] = [];
   for (let at = start; at < start + count; at += 3) {
     const corners = [indices[at], indices[at + 1], indices[at + 2]];
-    const above = corners.filter((corner) => positions[3 * corner + 2] > z);
-    if (above.length === 0 || above.length === 3) continue;
-    // Seen from outside, counter-clockwise: the edge that climbs is the right end, with the solid to the left behind.
-    const climbing = corners.findIndex(
-      (corner, k) => positions[3 * corner + 2] < z && positions[3 * corners[(k + 1) % 3] + 2] > z,
-    );
-    const falling = corners.findIndex(
-      (corner, k) => positions[3 * corner + 2] > z && positions[3 * corners[(k + 1) % 3] + 2] < z,
-    );
-    ends.push(
-      ...crossing(positions, corners[(falling + 1) % 3], corners[falling], z),
-      ...crossing(positions, corners[climbing], corners[(climbing + 1) % 3], z),
-    );
+    const isAbove = corners.map((corner) => positions[3 * corner + 2] > z);
+    // Counter-clockwise seen from outside: the edge that climbs is the right end, and the solid lies behind, to the left.
+    const climbing = isAbove.findIndex((above, k) => !above && isAbove[(k + 1) % 3]);
+    const falling = isAbove.findIndex((above, k) => above && !isAbove[(k + 1) % 3]);
+    if (climbing < 0) continue;
+    const [low, high] = [corners[(falling + 1) % 3], corners[falling]];
+    const [x, y] = crossing(positions, low, high, z);
+    const to = corners[climbing] * vertices + corners[(climbing + 1) % 3];
+    edges.push({ from: low * vertices + high, to, x, y });
   }
-  return joinEdges(ends);
+  return joinEdges(edges);
 }
 
 /** Place on the edge from a lower to a higher vertex; equal for both triangles of the edge to the last bit. */
@@ -83,7 +89,8 @@ function crossing(positions: Float64Array, low: number, high: number, z: number)
 
 /** Rings around the faces of a group that look up at a height. */
 function topRings({ positions, indices }: Solid, { start, count }: SolidGroup, z: number): Float64Array[] {
-  const edges = new Map<string, readonly [number, number]>();
+  const vertices = positions.length / 3;
+  const edges = new Map<number, RingEdge>();
   for (let at = start; at < start + count; at += 3) {
     const corners = [indices[at], indices[at + 1], indices[at + 2]];
     if (!corners.every((corner) => Math.abs(positions[3 * corner + 2] - z) <= SAME_HEIGHT)) continue;
@@ -91,13 +98,11 @@ function topRings({ positions, indices }: Solid, { start, count }: SolidGroup, z
     corners.forEach((from, k) => {
       const to = corners[(k + 1) % 3];
       // An edge that two triangles share is none of the face's.
-      if (!edges.delete(`${to} ${from}`)) edges.set(`${from} ${to}`, [from, to]);
+      if (edges.delete(to * vertices + from)) return;
+      edges.set(from * vertices + to, { from, to, x: positions[3 * from], y: positions[3 * from + 1] });
     });
   }
-  const ends = [...edges.values()].flatMap((edge) =>
-    edge.flatMap((vertex) => [positions[3 * vertex], positions[3 * vertex + 1]]),
-  );
-  return joinEdges(ends);
+  return joinEdges([...edges.values()]);
 }
 
 /** Twice the area of a triangle seen from above, positive when it looks up. */
@@ -107,23 +112,22 @@ function turnOf(positions: Float64Array, [a, b, c]: readonly number[]): number {
   return (x(b) - x(a)) * (y(c) - y(a)) - (x(c) - x(a)) * (y(b) - y(a));
 }
 
-/** Joins directed edges, four numbers each, into rings without needless vertices. */
-function joinEdges(ends: readonly number[]): Float64Array[] {
-  const from = new Map<string, number[]>();
-  for (let e = 0; e < ends.length; e += 4) {
-    const key = `${ends[e]} ${ends[e + 1]}`;
-    const known = from.get(key);
-    if (known === undefined) from.set(key, [e]);
+/** Joins edges into rings without needless vertices. */
+function joinEdges(edges: readonly RingEdge[]): Float64Array[] {
+  const leaving = new Map<number, number[]>();
+  edges.forEach(({ from }, e) => {
+    const known = leaving.get(from);
+    if (known === undefined) leaving.set(from, [e]);
     else known.push(e);
-  }
-  const used = new Uint8Array(ends.length / 4);
+  });
+  const isUsed = new Uint8Array(edges.length);
   const rings: Float64Array[] = [];
-  for (let first = 0; first < ends.length; first += 4) {
+  for (const first of edges.keys()) {
     const ring: number[] = [];
-    for (let e: number | undefined = first; e !== undefined && used[e / 4] === 0; ) {
-      used[e / 4] = 1;
-      ring.push(ends[e], ends[e + 1]);
-      e = from.get(`${ends[e + 2]} ${ends[e + 3]}`)?.find((next) => used[next / 4] === 0);
+    for (let e: number | undefined = first; e !== undefined && !isUsed[e]; ) {
+      isUsed[e] = 1;
+      ring.push(edges[e].x, edges[e].y);
+      e = leaving.get(edges[e].to)?.find((next) => !isUsed[next]);
     }
     const straight = withoutNeedless(ring);
     if (straight.length >= 6) rings.push(straight);
@@ -137,7 +141,8 @@ function withoutNeedless(ring: readonly number[]): Float64Array {
   const n = ring.length;
   for (let i = 0; i < n; i += 2) {
     // The vertex before is the last one kept, or around the start the last of the ring.
-    const [ax, ay] = kept.length > 0 ? kept.slice(-2) : [ring[n - 2], ring[n - 1]];
+    const last = kept.length;
+    const [ax, ay] = last > 0 ? [kept[last - 2], kept[last - 1]] : [ring[n - 2], ring[n - 1]];
     const [bx, by] = [ring[i], ring[i + 1]];
     const [cx, cy] = [ring[(i + 2) % n], ring[(i + 3) % n]];
     const length = Math.hypot(cx - ax, cy - ay);

@@ -1,12 +1,15 @@
 import { describe, expect, test } from 'vitest';
+import { boundsOf, pointInPolygon } from '../../../src/core/geometry/rings.ts';
 import { createRandom } from '../../../src/core/random.ts';
 import type { Solid, SolidGroup } from '../../../src/core/types.ts';
 import { extrude } from '../../../src/solid/extrude.ts';
 import { makeSolid } from '../../../src/solid/make-solid.ts';
+import { areaOf } from '../../../src/solid/planar.ts';
 import { sideColour, topColour } from '../../../src/write/pictures/model-clay.ts';
 import { type Eye, makeEye } from '../../../src/write/pictures/model-eye.ts';
 import { drawModel } from '../../../src/write/pictures/model-picture.ts';
-import { slabsOf } from '../../../src/write/pictures/solid-slabs.ts';
+import { castShadow } from '../../../src/write/pictures/model-shadow.ts';
+import { type SolidSlab, slabsOf } from '../../../src/write/pictures/solid-slabs.ts';
 import {
   disc,
   type PlanFacts,
@@ -264,3 +267,46 @@ function isInside(rings: readonly (readonly number[])[], x: number, y: number): 
   }
   return inside;
 }
+
+describe('castShadow', () => {
+  const ground = [rectangle(-20, -20, 40, 40)];
+  const slabOf = (rings: Float64Array[], low: number, high: number): SolidSlab => ({
+    low,
+    high,
+    sections: [{ group: { name: 'wall-0', kind: 'wall', storey: 0, start: 0, count: 0 }, rings }],
+    tops: [],
+  });
+
+  test('of a column is its section swept as far as its height throws it', () => {
+    const column = slabOf([rectangle(0, 0, 1, 1)], 0, 2);
+    expect(areaOf(castShadow(ground, 0, [column], [0.5, 0]))).toBeCloseTo(2, 9);
+    const beam = slabOf([rectangle(0, 0, 1, 1)], 4, 6);
+    const [shadow] = castShadow(ground, 0, [beam], [0.5, 0]);
+    expect(boundsOf(shadow.outer)).toEqual({ minX: 2, minY: 0, maxX: 4, maxY: 1 });
+  });
+
+  test('falls on the ground alone, and from nothing beneath it', () => {
+    const column = slabOf([rectangle(0, 0, 1, 1)], 0, 2);
+    expect(areaOf(castShadow([rectangle(0, 0, 1.5, 1)], 0, [column], [0.5, 0]))).toBeCloseTo(1.5, 9);
+    expect(castShadow(ground, 1, [column], [0.5, 0])).toEqual([]);
+  });
+
+  test('a place lies in it where the way to the light meets the wall', () => {
+    const { outer, holes } = wallAround(hall, 0.3);
+    const light = [0.4, 0.7] as const;
+    const shadow = castShadow(ground, 0, [slabOf([outer, ...holes], 0, 2.5)], light);
+    const random = createRandom(3);
+    let wrong = 0;
+    for (let k = 0; k < 2000; k++) {
+      const [x, y] = [-1 + 12 * random(), -1 + 10 * random()];
+      const isDark = shadow.some((polygon) => pointInPolygon(x, y, polygon) > 0);
+      const heights = Array.from({ length: 400 }, (_, i) => (2.5 * i) / 399);
+      const meets = heights.some(
+        (h) => pointInPolygon(x - light[0] * h, y - light[1] * h, { outer, holes }) > 0,
+      );
+      if (isDark !== meets) wrong++;
+    }
+    // Steps towards the light may pass over a corner.
+    expect(wrong).toBeLessThanOrEqual(4);
+  });
+});
