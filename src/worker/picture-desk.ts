@@ -1,13 +1,10 @@
 import type { StageReport } from '../core/pipeline-run.ts';
 import type { StageResults } from '../core/stage-results.ts';
-import { STAGE_NAMES, type StageName } from '../core/stages.ts';
-import { drawPicture, PICTURE_NAMES, PICTURES, type PictureName } from '../write/pictures.ts';
+import type { StageName } from '../core/stages.ts';
+import { drawPicture, hasPicture, PICTURE_NAMES, PICTURES, type PictureName } from '../write/pictures.ts';
 import type { PictureFacts } from './protocol.ts';
 
 type Results = Partial<StageResults>;
-
-/** From here on a stage that ran has something to show, and drawing it only to know would slow every run. */
-const ALWAYS_SHOWN = STAGE_NAMES.indexOf('plan');
 
 /** Draws the pictures of runs, each once as long as its stage's result lives. */
 export class PictureDesk {
@@ -19,7 +16,7 @@ export class PictureDesk {
   /** The pictures a run has something to show in. @param reports of that run */
   list(results: Results, reports: readonly StageReport[]): PictureFacts[] {
     for (const report of reports) if (!report.isCached) this.#reports.set(report.name, report);
-    return PICTURE_NAMES.filter((name) => this.#has(name, results)).map((name) => {
+    return PICTURE_NAMES.filter((name) => hasPicture(name, results)).map((name) => {
       const { label, doc, stage, figure } = PICTURES[name];
       const { outcome = '', ms = 0 } = this.#reports.get(stage) ?? {};
       return { name, stage, label, doc, figure, outcome, ms };
@@ -41,12 +38,6 @@ export class PictureDesk {
     const picture = drawn.get(name) ?? drawPicture(name, results);
     drawn.set(name, picture);
     return picture;
-  }
-
-  #has(name: PictureName, results: Results): boolean {
-    const { stage } = PICTURES[name];
-    if (STAGE_NAMES.indexOf(stage) >= ALWAYS_SHOWN) return results[stage] !== undefined;
-    return this.draw(name, results) !== null;
   }
 }
 

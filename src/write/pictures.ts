@@ -3,15 +3,17 @@ import { STAGES } from '../core/stages.ts';
 import { drawCloud } from './pictures/cloud-picture.ts';
 import { drawLevels } from './pictures/levels-picture.ts';
 import { drawModel } from './pictures/model-picture.ts';
-import { drawHull, drawPass, drawSlice } from './pictures/outline-pictures.ts';
+import { drawHull, drawPass, drawSlice, hasPass } from './pictures/outline-pictures.ts';
 import { pageOf } from './pictures/page.ts';
 import type { PictureFacts, PictureRow } from './pictures/picture.ts';
 import { drawPlan } from './pictures/plan-picture.ts';
 import {
+  clustersOf,
   drawClusters,
   drawRegion,
   drawSecondary,
   drawSecondaryOutline,
+  takenClusters,
 } from './pictures/secondary-pictures.ts';
 
 import type { Product, WrittenFile } from './plan-writer.ts';
@@ -32,6 +34,7 @@ export const PICTURES = {
     doc: 'Three height levels around the least, mean and greatest height, with their bounding boxes, points and densities.',
     stage: 'level',
     figure: 'Fig. 2',
+    has: ({ frame }) => !frame.isFlat,
     draw: drawLevels,
   },
   slice: {
@@ -53,6 +56,7 @@ export const PICTURES = {
     doc: 'Vertices closer than ε to the one before are gone.',
     stage: 'regularise',
     figure: 'Fig. 4c, 5c',
+    has: ({ regularise }) => hasPass('radial', regularise),
     draw: (results) => drawPass('radial', results),
   },
   'douglas-peucker': {
@@ -60,6 +64,7 @@ export const PICTURES = {
     doc: 'Vertices closer than ε to the line between those kept are gone.',
     stage: 'regularise',
     figure: 'Fig. 4c, 5c',
+    has: ({ regularise }) => hasPass('douglas-peucker', regularise),
     draw: (results) => drawPass('douglas-peucker', results),
   },
   visvalingam: {
@@ -67,6 +72,7 @@ export const PICTURES = {
     doc: 'Vertices whose triangle with their neighbours is smaller than the area ε are gone.',
     stage: 'regularise',
     figure: 'Fig. 4c, 5c',
+    has: ({ regularise }) => hasPass('visvalingam', regularise),
     draw: (results) => drawPass('visvalingam', results),
   },
   corners: {
@@ -74,6 +80,7 @@ export const PICTURES = {
     doc: 'Lines fitted to the points each edge stands for meet in sharp corners.',
     stage: 'regularise',
     figure: 'ours',
+    has: ({ regularise }) => hasPass('corners', regularise),
     draw: (results) => drawPass('corners', results),
   },
   region: {
@@ -81,6 +88,7 @@ export const PICTURES = {
     doc: 'The points taken for secondary boundaries, within the primary boundary.',
     stage: 'secondary',
     figure: 'Fig. 3a',
+    has: ({ secondary }) => takenClusters(secondary).length > 0,
     draw: drawRegion,
   },
   clusters: {
@@ -88,6 +96,7 @@ export const PICTURES = {
     doc: 'The points of the slice by cluster.',
     stage: 'secondary',
     figure: 'Fig. 3b',
+    has: ({ secondary }) => clustersOf(secondary).length > 1,
     draw: drawClusters,
   },
   'secondary-outline': {
@@ -95,6 +104,7 @@ export const PICTURES = {
     doc: 'The outline of the points near the centre of the cluster, and which of them the stroke along it drops.',
     stage: 'secondary',
     figure: 'Fig. 3c',
+    has: ({ secondary }) => secondary.searches.some(({ rounds }) => (rounds.at(-1)?.near.length ?? 0) > 0),
     draw: drawSecondaryOutline,
   },
   secondary: {
@@ -102,6 +112,7 @@ export const PICTURES = {
     doc: 'The structures inside the primary boundary, with the points they were outlined from.',
     stage: 'secondary',
     figure: 'Fig. 3d',
+    has: ({ secondary }) => secondary.boundaries.length > 0,
     draw: drawSecondary,
   },
   plan: {
@@ -141,6 +152,13 @@ export function drawPicture(
   if (drawing === null) return null;
   const time = facts.ms === undefined ? [] : [`${STAGES[stage].label} ${timeWords(facts.ms)}`];
   return pageOf({ ...drawing, counts: [...drawing.counts, ...time] }, { name, label, doc });
+}
+
+/** Whether {@link drawPicture} has something to draw, without drawing it. */
+export function hasPicture(name: PictureName, results: Partial<StageResults>): boolean {
+  const { stage, has }: PictureRow = PICTURES[name];
+  // A stage that ran has all before it.
+  return results[stage] !== undefined && (has?.(results as StageResults) ?? true);
 }
 
 function timeWords(ms: number): string {

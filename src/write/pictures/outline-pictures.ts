@@ -1,7 +1,7 @@
 /** The slice, its outline, and what each pass makes of it, seen from above. */
 import { vertexCount } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
-import type { Gap, Polygon } from '../../core/types.ts';
+import type { Gap, Polygon, RegularisedBoundary } from '../../core/types.ts';
 import { dots, path } from './marks.ts';
 import { countOf, type Drawing } from './page.ts';
 import { ACCENT, AMBER, INK, MUTED, OKABE_ITO, PALE } from './palette.ts';
@@ -74,6 +74,11 @@ const METHOD_WORDS = {
   'alpha-shape': 'α-shape',
   concaveman: 'Concaveman',
 } as const;
+
+/** Whether a pass was made. @param pass a name of RegularisedBoundary.passes */
+export function hasPass(pass: string, { passes }: RegularisedBoundary): boolean {
+  return passes.some(({ name }) => name === pass);
+}
 
 /** Fig. 4c, 5c: what one pass made of the outline before it. @param pass a name of RegularisedBoundary.passes */
 export function drawPass(pass: string, { boundary, regularise }: Results): Drawing | null {

@@ -22,6 +22,8 @@ export interface PictureRow {
   readonly stage: StageName;
   /** The figure of [Stojanovic19] that it corresponds to, or "ours". */
   readonly figure: string;
+  /** Whether a stage that ran left something to show; where absent it always does. Far cheaper than drawing. */
+  has?(results: StageResults): boolean;
   /** @returns null where the stage has not run or there is nothing to show */
   draw(results: Partial<StageResults>, facts: PictureFacts): Drawing | null;
 }

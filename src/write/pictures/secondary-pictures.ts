@@ -48,8 +48,9 @@ export function drawRegion({ slice, regularise, secondary }: Results): Drawing |
 
 /** Fig. 3b: the slice's points by cluster, each cluster to be picked by its number. */
 export function drawClusters({ slice, regularise, secondary }: Results): Drawing | null {
-  const clusters = [...new Set(secondary?.clusters)].sort((a, b) => a - b);
-  if (!slice || !secondary || clusters.length < 2) return null;
+  if (!slice || !secondary) return null;
+  const clusters = clustersOf(secondary);
+  if (clusters.length < 2) return null;
   const view = wholeView(slice, regularise?.polygons ?? []);
   const groups = clusters.map((cluster) => ({
     cluster,
@@ -137,8 +138,13 @@ export function drawSecondary({ slice, regularise, secondary }: Results): Drawin
   };
 }
 
+/** Numbers of the clusters that hold points. */
+export function clustersOf({ clusters }: SecondaryResult): number[] {
+  return [...new Set(clusters)].sort((a, b) => a - b);
+}
+
 /** Clusters that stand for structures: those searched, or for the robust method all but the walls' 0. */
-function takenClusters({ clusters, searches }: SecondaryResult): number[] {
+export function takenClusters({ clusters, searches }: SecondaryResult): number[] {
   if (searches.length > 0) return searches.map(({ cluster }) => cluster);
   return [...new Set(clusters)].filter((cluster) => cluster > 0);
 }

@@ -8,7 +8,13 @@ import type { Options } from '../../../src/core/params.ts';
 import type { StageResults } from '../../../src/core/stage-results.ts';
 import { blobSource } from '../../../src/read/blob-source.ts';
 import { Session } from '../../../src/session/session.ts';
-import { drawPicture, PICTURE_NAMES, PICTURES, type PictureName } from '../../../src/write/pictures.ts';
+import {
+  drawPicture,
+  hasPicture,
+  PICTURE_NAMES,
+  PICTURES,
+  type PictureName,
+} from '../../../src/write/pictures.ts';
 import { parseXml, type XmlElement } from './strict-xml.ts';
 
 /** What the page's own parser lets through. */
@@ -72,6 +78,13 @@ test('a room with a structure has Fig. 3 a to d', () => {
 
 test('a scan has its levels', () => {
   expect(drawn(home.evidence).slice(0, 4)).toEqual(['cloud', 'levels', 'slice', 'hull']);
+});
+
+test('whether there is a picture is known without drawing it', async () => {
+  const failed = await runSlice('room-2', { boundary: 'alpha-shape', alpha: 0.001 });
+  for (const { evidence } of [hallway, room, home, failed]) {
+    expect(PICTURE_NAMES.filter((name) => hasPicture(name, evidence))).toEqual(drawn(evidence));
+  }
 });
 
 describe('every picture', () => {
