@@ -203,6 +203,18 @@ test('the structure is refined by hand, once more at a time, and undo takes it b
   await expect.poll(() => options(page)).toEqual({ secondaryCount: 1 });
 });
 
+test('an element that is moved goes on with its step', async ({ page }) => {
+  await openPlan(page, HALLWAY);
+  await setStep(page, 'hull');
+  await expect(pictureShown(page)).toHaveAttribute('data-picture', 'hull');
+  await page.evaluate(() => {
+    const element = document.querySelector('floor-plan')!;
+    element.remove();
+    document.querySelector('main')!.append(element);
+  });
+  await expect(pictureShown(page)).toHaveAttribute('data-picture', 'hull');
+});
+
 test('a cancelled load leaves the pictures of the plan shown', async ({ page }) => {
   await openPlan(page, HALLWAY);
   await openSteps(page);

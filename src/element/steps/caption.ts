@@ -51,7 +51,9 @@ export class Caption {
     setText(this.#place, `${place + 1} of ${pictures.length}`);
     setText(this.#label, picture.label);
     setText(this.#figure, picture.figure === 'ours' ? '' : `Paper: ${picture.figure}`);
-    setText(this.#outcome, outcomeOf(picture));
+    // Of a stage in several pictures each tells its own counts.
+    const isOnly = pictures.filter(({ stage }) => stage === picture.stage).length === 1;
+    setText(this.#outcome, outcomeOf(picture, isOnly));
     setText(this.#doc, picture.doc);
     // Not disabled: the keyboard would lose its place.
     setAttribute(this.#back, 'aria-disabled', String(place === 0));
@@ -59,7 +61,7 @@ export class Caption {
   }
 }
 
-function outcomeOf({ outcome, stage, ms }: PictureFacts): string {
+function outcomeOf({ outcome, stage, ms }: PictureFacts, isOnly: boolean): string {
   const time = `${STAGES[stage].label}: ${formatDuration(ms)}`;
-  return outcome === '' ? time : `${outcome} · ${time}`;
+  return outcome !== '' && isOnly ? `${outcome} · ${time}` : time;
 }

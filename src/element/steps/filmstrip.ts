@@ -6,6 +6,7 @@ interface Still {
   readonly tab: HTMLButtonElement;
   readonly image: HTMLImageElement;
   readonly label: HTMLElement;
+  svg: string;
 }
 
 /** The steps in small, in order; the one shown is marked. */
@@ -38,7 +39,8 @@ export class Filmstrip {
   /** @param svg the picture in full; a small image shows it */
   setPicture(name: string, svg: string): void {
     const still = this.#stills.get(name);
-    if (!still) return;
+    if (!still || still.svg === svg) return;
+    still.svg = svg;
     const before = still.image.src;
     still.image.src = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
     still.image.hidden = false;
@@ -75,7 +77,7 @@ export class Filmstrip {
       make('span', { class: 'still-frame' }, image),
       words,
     );
-    const still = { tab, image, label: words };
+    const still = { tab, image, label: words, svg: '' };
     this.#stills.set(name, still);
     return still;
   }

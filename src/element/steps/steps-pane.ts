@@ -85,8 +85,8 @@ export class StepsPane {
     this.#strip.show(pictures, picture);
     this.#compare.show(model);
     setAttribute(this.#host, 'aria-label', `${picture.label}. ${HINT}`);
-    if (isAnother) void this.#develop(pictures);
     if (!this.isComparing) void this.#showPicture(picture);
+    if (isAnother) void this.#develop(pictures);
   }
 
   /** Puts two plans side by side in place of the step's picture, or goes back to it. */
