@@ -5,6 +5,9 @@ import { fixed, whole } from './tables.ts';
 const metres = (value: number) => `${value.toFixed(2)} m`;
 const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
 
+/** Kinds of cases whose own name a reader would puzzle over. */
+const KIND_NAMES: Readonly<Record<string, string>> = { l: 'L-shaped' };
+
 /** The experiments beyond the six sets. */
 export function experimentSections(results: Experiments): Markup {
   return html`${narrowSection(results)}
@@ -77,7 +80,9 @@ ${table(
   [
     row('made with', structureCases.development),
     row('kept back', structureCases.keptBack),
-    ...Object.entries(structureCases.byDifficulty).map(([label, shares]) => row(label, shares)),
+    ...Object.entries(structureCases.byDifficulty).map(([label, shares]) =>
+      row(KIND_NAMES[label] ?? label, shares),
+    ),
   ],
 )}`
     : NOT_RUN;
