@@ -25,11 +25,9 @@ export function listField({ id, change }: FieldFacts, choices: readonly string[]
   };
   return {
     node,
-    set(value, { options, view }) {
+    set(value, { options }) {
       const given = value as readonly string[];
-      const found = view?.secondary.boundaries.length ?? 0;
-      const asked = options.secondaryCount;
-      grow(Math.max(1, typeof asked === 'number' ? asked : found));
+      grow(Math.max(1, options.secondaryCount));
       for (const [i, select] of selects.entries()) select.value = given[Math.min(i, given.length - 1)];
     },
   };

@@ -1,7 +1,14 @@
 import type { StageReport } from '../core/pipeline-run.ts';
 import type { StageResults } from '../core/stage-results.ts';
 import type { StageName } from '../core/stages.ts';
-import { drawPicture, hasPicture, PICTURE_NAMES, PICTURES, type PictureName } from '../write/pictures.ts';
+import {
+  drawPicture,
+  hasPicture,
+  PICTURE_NAMES,
+  PICTURES,
+  type PictureName,
+  pictureFile,
+} from '../write/pictures.ts';
 import type { PictureFacts } from './protocol.ts';
 
 type Results = Partial<StageResults>;
@@ -19,7 +26,7 @@ export class PictureDesk {
     return PICTURE_NAMES.filter((name) => hasPicture(name, results)).map((name) => {
       const { label, doc, stage, figure } = PICTURES[name];
       const { outcome = '', ms = 0 } = this.#reports.get(stage) ?? {};
-      return { name, stage, label, doc, figure, outcome, ms };
+      return { name, file: pictureFile(name), stage, label, doc, figure, outcome, ms };
     });
   }
 

@@ -25,6 +25,8 @@ export interface PlanView {
 /** A picture of a stage that can be asked for. */
 export interface PictureFacts {
   readonly name: string;
+  /** Name of its file. */
+  readonly file: string;
   readonly stage: StageName;
   readonly label: string;
   /** What it shows, one sentence. */

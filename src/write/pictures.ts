@@ -167,11 +167,13 @@ function timeWords(ms: number): string {
 
 /** Every picture there is, numbered as in the table; without times, so that equal runs give equal files. */
 export function writePictures({ results }: Product): WrittenFile[] {
-  return PICTURE_NAMES.flatMap((name, i) => {
+  return PICTURE_NAMES.flatMap((name) => {
     const content = drawPicture(name, results);
-    const number = String(i + 1).padStart(2, '0');
-    return content === null
-      ? []
-      : [{ name: `picture-${number}-${name}.svg`, mime: 'image/svg+xml', content }];
+    return content === null ? [] : [{ name: pictureFile(name), mime: 'image/svg+xml', content }];
   });
+}
+
+/** `picture-04-hull.svg`: files in order of the chain. */
+export function pictureFile(name: PictureName): string {
+  return `picture-${String(PICTURE_NAMES.indexOf(name) + 1).padStart(2, '0')}-${name}.svg`;
 }

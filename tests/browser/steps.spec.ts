@@ -54,7 +54,7 @@ test("a step's picture is saved as the SVG on show, and all of them as a ZIP", a
   await page.getByTestId('step-hull').click();
   await expect(pictureShown(page)).toHaveAttribute('data-picture', 'hull');
   const saved = await downloadBy(page, 'save-picture');
-  expect(saved.name).toBe('picture-hull.svg');
+  expect(saved.name).toBe('picture-04-hull.svg');
   const shown = await pathsOf(page);
   expect(shown.length).toBeGreaterThan(1);
   expect(await pathsIn(page, saved.text)).toEqual(shown);
@@ -69,7 +69,7 @@ test('the pictures follow a changed parameter', async ({ page }) => {
   await expect(pictureShown(page)).toHaveAttribute('data-picture', 'plan');
   const before = await pathsOf(page);
   await page.locator('[data-stage=plan] > summary').click();
-  const thickness = page.getByRole('spinbutton', { name: 'Wall thickness' });
+  const thickness = page.locator('#param-wallThickness');
   await thickness.fill('0.4');
   await thickness.press('Enter');
   await expect.poll(() => pathsOf(page)).not.toEqual(before);
@@ -90,7 +90,7 @@ test('two methods are compared overlaid and side by side; the plan stays', async
   await page.getByRole('button', { name: 'Side by side' }).click();
   await expect.poll(() => pathsOf(page)).not.toEqual(overlaid);
   const saved = await downloadBy(page, 'save-comparison');
-  expect(saved.name).toBe('picture-boundary-alpha-shape.svg');
+  expect(saved.name).toBe('comparison-boundary-alpha-shape.svg');
   expect(await pathsIn(page, saved.text)).toEqual(await pathsOf(page));
   await page.getByTestId('compare-param').selectOption({ label: 'Visvalingam pass' });
   await expect(table).toContainText('This plan: On');
@@ -176,14 +176,14 @@ test("one click gives every parameter the paper's value, and undo takes it back"
     await expect(page.locator('.more').first()).toBeAttached();
   }
   const paper: Readonly<Record<string, string>> = {
-    Epsilon: '0.024',
-    'Stroke width': '0.1',
-    'Secondary epsilon': '0.1',
-    'Wall thickness': '0.1',
-    Alpha: '1.5',
+    epsilon: '0.024',
+    strokeWidth: '0.1',
+    secondaryEpsilon: '0.1',
+    wallThickness: '0.1',
+    alpha: '1.5',
   };
   for (const [name, value] of Object.entries(paper))
-    await expect(page.getByRole('spinbutton', { name, exact: true })).toHaveValue(value);
+    await expect(page.locator(`#param-${name}`)).toHaveValue(value);
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect.poll(() => options(page)).toEqual({ visvalingamPass: false, strokeWidth: 0.3, unit: 'm' });
 });

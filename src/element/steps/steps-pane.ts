@@ -171,9 +171,9 @@ export class StepsPane {
   #save(): void {
     const { picture } = this.#model?.steps ?? {};
     if (this.#shown === '' || !picture) return;
-    const name = this.isComparing ? this.#compare.name : picture.name;
+    const name = this.isComparing ? `comparison-${this.#compare.name}.svg` : picture.file;
     const blob = new Blob([this.#shown], { type: 'image/svg+xml' });
-    saveFile({ name: `picture-${name}.svg`, blob });
+    saveFile({ name, blob });
   }
 
   #key(event: KeyboardEvent): void {
