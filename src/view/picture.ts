@@ -5,11 +5,8 @@ import { parsePicture } from './parse-drawing.ts';
 const MARGIN = 12;
 /** A press that moves further than this is a drag, px. */
 const STILL = 4;
-/** How far from its point a press may miss what it means, px: half a finger's touch target. */
-const REACH = 20;
-/** Steps of the search around a missed press: rings, and places on each. */
-const RINGS = 4;
-const PLACES = 12;
+/** Width of the margin around what can be picked, of the picture's 640 px. */
+const REACH = 24;
 
 /** An SVG picture with pan and zoom. */
 export class PictureView {
@@ -25,7 +22,7 @@ export class PictureView {
 
   /**
    * @param host an empty element; it gets the keyboard focus and the gestures
-   * @param onPick what of the picture was pressed, or all but pressed
+   * @param onPick what was pressed of the picture, marked `data-pick`
    */
   constructor(host: HTMLElement, onPick: (element: Element) => void) {
     this.#host = host;
@@ -42,7 +39,7 @@ export class PictureView {
       'click',
       ({ clientX, clientY }) => {
         const moved = Math.hypot(clientX - this.#pressed[0], clientY - this.#pressed[1]);
-        const found = moved < STILL ? this.#near(clientX, clientY) : null;
+        const found = moved < STILL ? this.#pickAt(clientX, clientY) : null;
         if (found) onPick(found);
       },
       { signal },
@@ -53,6 +50,7 @@ export class PictureView {
   show(text: string, isNew: boolean): void {
     const { svg, width, height } = parsePicture(text);
     const isSame = width === this.#size[0] && height === this.#size[1];
+    widenPicks(svg);
     svg.classList.add('drawing');
     svg.setAttribute('role', 'img');
     svg.style.width = `${width}px`;
@@ -98,18 +96,21 @@ export class PictureView {
     this.#pressed = [x, y];
   }
 
-  /** What can be picked at a place of the screen, else nearby: points are smaller than fingers. */
-  #near(x: number, y: number): Element | null {
+  /** What can be picked at a place of the screen: what is drawn there before what is only near. */
+  #pickAt(x: number, y: number): Element | null {
     const root = this.#host.getRootNode() as ShadowRoot;
-    for (let ring = 0; ring <= RINGS; ring++) {
-      for (let place = 0; place < (ring === 0 ? 1 : PLACES); place++) {
-        const angle = (2 * Math.PI * place) / PLACES;
-        const away = (REACH * ring) / RINGS;
-        const [px, py] = [x + away * Math.cos(angle), y + away * Math.sin(angle)];
-        const found = root.elementsFromPoint(px, py).find((element) => element.closest('[data-pick]'));
-        if (found) return found.closest('[data-pick]');
-      }
-    }
-    return null;
+    const under = root.elementsFromPoint(x, y).map((element) => element.closest('[data-pick]'));
+    return under.find((element) => element !== null) ?? null;
+  }
+}
+
+/** Points are smaller than fingers: all that can be picked gets an unseen margin, beneath everything. */
+function widenPicks(svg: SVGSVGElement): void {
+  for (const pick of svg.querySelectorAll('[data-pick]')) {
+    const margin = pick.cloneNode() as Element;
+    margin.removeAttribute('id');
+    margin.setAttribute('stroke-width', String(REACH));
+    margin.setAttribute('stroke-opacity', '0');
+    svg.prepend(margin);
   }
 }

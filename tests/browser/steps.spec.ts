@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
+import { PARAMS } from '../../src/core/params.ts';
 import type { FloorPlanElement } from '../../src/element/floor-plan.ts';
 import { dropFile, expect, expectReady, openPlan, roomCsv, stagesRun, test } from './plan-page.ts';
 
@@ -201,6 +202,39 @@ test('the structure is refined by hand, once more at a time, and undo takes it b
   await expectReady(page);
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect.poll(() => options(page)).toEqual({ secondaryCount: 1 });
+});
+
+test('the cluster of the structure is picked in the picture or the list; undo takes it back', async ({
+  page,
+}) => {
+  test.skip(!Object.hasOwn(PARAMS, 'secondaryCluster'), 'There is no parameter for the cluster.');
+  await openPlan(page, HALLWAY);
+  await dropFile(page, 'room-2.csv', await readFile('tests/golden/room-2/slice.csv', 'utf8'));
+  await expectReady(page);
+  await setOptions(page, { secondaryCount: 2 });
+  await expectReady(page);
+  await setStep(page, 'clusters');
+  await expect(pictureShown(page)).toHaveAttribute('data-picture', 'clusters');
+  const clusters = page.getByRole('group', { name: 'Cluster of the structure' });
+  await expect(clusters.getByRole('button')).toHaveCount(4);
+  // Beside the first point of cluster 0: a finger is no needle.
+  const [x, y] = await page.locator('#cluster-0').evaluate((path: SVGPathElement) => {
+    const [, left, top] = path
+      .getAttribute('d')!
+      .match(/^M([\d.]+) ?(-?[\d.]+)/)!
+      .map(Number);
+    const { x, y } = new DOMPoint(left, top).matrixTransform(path.getScreenCTM()!);
+    return [x + 5, y - 5];
+  });
+  await page.mouse.click(x, y);
+  await expect.poll(() => options(page)).toEqual({ secondaryCount: 2, secondaryCluster: 0 });
+  await expectReady(page);
+  await expect(clusters.getByRole('button', { name: /^0: / })).toHaveAttribute('aria-pressed', 'true');
+  await clusters.getByRole('button', { name: /^1: / }).click();
+  await expect.poll(() => options(page)).toEqual({ secondaryCount: 2, secondaryCluster: 1 });
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(() => options(page)).toEqual({ secondaryCount: 2 });
 });
 
 test('an element that is moved goes on with its step', async ({ page }) => {

@@ -68,14 +68,14 @@ export class ClusterPicker implements Panel {
     const sizes: number[] = [];
     for (const cluster of clusters) sizes[cluster] = (sizes[cluster] ?? 0) + 1;
     const buttons = sizes.map((size, cluster) => this.#button(cluster, `${formatCount(size)} points`));
-    this.#list.replaceChildren(this.#button('auto', 'Auto'), ...buttons);
+    this.#list.replaceChildren('Cluster', this.#button('auto', 'Auto'), ...buttons);
     this.#list.hidden = !Object.hasOwn(PARAMS, PICKED);
   }
 
   #button(cluster: number | 'auto', label: string): HTMLButtonElement {
     const swatch = make('span', { class: 'swatch', hidden: cluster === 'auto' });
     if (cluster !== 'auto') swatch.style.setProperty('--swatch', clusterColour(cluster));
-    const name = cluster === 'auto' ? label : `Cluster ${cluster}: ${label}`;
+    const name = cluster === 'auto' ? label : `${cluster}: ${label}`;
     return make(
       'button',
       {
