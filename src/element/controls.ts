@@ -39,8 +39,7 @@ export function makeControl(name: ParamName, actions: Actions): Panel {
     node,
     show(model) {
       reset.hidden = model.given[name] === undefined;
-      const shown = name === 'preset' ? (model.given.preset ?? 'auto') : model.options[name];
-      field.set(shown, model);
+      field.set(model.options[name], model);
       setAttribute(node, 'data-given', model.given[name] !== undefined);
     },
   };

@@ -1,4 +1,4 @@
-import type { GivenValues, ParamName } from '../core/params.ts';
+import { type GivenValues, type Options, PARAMS, type ParamName } from '../core/params.ts';
 import { History } from './history.ts';
 
 /** The parameters a person has given, and the way back to those before. */
@@ -41,6 +41,12 @@ export class GivenOptions {
     this.#before = null;
   }
 
+  /** Sets the preset and forgets what it decides, as one step: all but what was said of the scan itself. */
+  takePreset(preset: Options['preset']): void {
+    const kept = Object.entries(this.#now).filter(([name]) => isOfScan(name as ParamName));
+    this.replace({ ...Object.fromEntries(kept), preset });
+  }
+
   /** Forgets parameters, as one step. */
   reset(names: readonly ParamName[]): void {
     const kept = Object.entries(this.#now).filter(([name]) => !names.includes(name as ParamName));
@@ -54,6 +60,11 @@ export class GivenOptions {
   redo(): void {
     this.#now = this.#history.redo(this.#now);
   }
+}
+
+/** Unit, axis, scale, thinning: how to take the scan, not how to make its plan. */
+function isOfScan(name: ParamName): boolean {
+  return ['read', 'frame'].includes(PARAMS[name].stage);
 }
 
 function isEqual(a: GivenValues, b: GivenValues): boolean {

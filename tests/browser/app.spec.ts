@@ -137,8 +137,11 @@ test("feet hold for the levels and a band of one's own", async ({ page }) => {
 test('nothing of the bars is cut off on a small laptop', async ({ page }) => {
   await page.setViewportSize({ width: 1024, height: 768 });
   await openPlan(page);
+  await page.getByRole('button', { name: 'Step by step' }).click();
+  await page.getByTestId('compare').click();
+  await expect(page.getByTestId('compare-table')).toBeVisible();
   const cut = await page
-    .locator('.tools, .bar, .band')
+    .locator('.tools, .bar, .band, .compare, .compare-choice, .compare-line')
     .evaluateAll((bars) => bars.map((bar) => bar.scrollWidth - bar.clientWidth));
   expect(cut.length).toBeGreaterThan(3);
   expect(Math.max(...cut)).toBe(0);
