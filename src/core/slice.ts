@@ -1,6 +1,5 @@
-import { CELLS_ACROSS } from './cell-table.ts';
 import { meanSpacing } from './geometry/spacing.ts';
-import { type CellSums, cellMeans, type Lattice, type LatticePoints, sumCells } from './lattice-sample.ts';
+import { type CellSums, cellMeans, type LatticePoints, layLattice, sumCells } from './lattice-sample.ts';
 import type { Options } from './params.ts';
 import { createRandom } from './random.ts';
 import type { PointCloud, Slice } from './types.ts';
@@ -29,33 +28,10 @@ export function makeSlice(
   if (indices.length === 0) return { xy: new Float64Array(0), band, spacing: 0 };
   const points = { positions: cloud.positions, indices };
   const edge = Math.sqrt(SAMPLE_AREA / options.samplesPer50M2);
-  const sums = sumCells(points, layLattice(points, edge, options.seed));
-  const xy = cloud.isFlat && isSparse(sums, points, edge) ? seenFromAbove(points) : cellMeans(sums);
+  const random = createRandom(options.seed);
+  const cells = sumCells(points, layLattice(points, edge, [random(), random()]));
+  const xy = cloud.isFlat && isSparse(cells, points, edge) ? seenFromAbove(points) : cellMeans(cells);
   return { xy, band, spacing: meanSpacing(xy) };
-}
-
-/** The lattice over the points' box, shifted by the seed; kilometres across, its cells grow so that all can be told apart. */
-function layLattice({ positions, indices }: LatticePoints, wantedEdge: number, seed: number): Lattice {
-  let minX = Number.POSITIVE_INFINITY;
-  let minY = Number.POSITIVE_INFINITY;
-  let maxX = Number.NEGATIVE_INFINITY;
-  let maxY = Number.NEGATIVE_INFINITY;
-  for (let k = 0; k < indices.length; k++) {
-    const x = positions[3 * indices[k]];
-    const y = positions[3 * indices[k] + 1];
-    if (x < minX) minX = x;
-    if (x > maxX) maxX = x;
-    if (y < minY) minY = y;
-    if (y > maxY) maxY = y;
-  }
-  const edge = Math.max(wantedEdge, Math.max(maxX - minX, maxY - minY) / (CELLS_ACROSS - 2));
-  const random = createRandom(seed);
-  minX -= random() * edge;
-  minY -= random() * edge;
-  const perMetre = 1 / edge;
-  const columns = Math.floor((maxX - minX) * perMetre) + 1;
-  const rows = Math.floor((maxY - minY) * perMetre) + 1;
-  return { minX, minY, edge, perMetre, columns, rows };
 }
 
 function isSparse({ lattice, occupied }: CellSums, { indices }: LatticePoints, wantedEdge: number): boolean {
