@@ -3,7 +3,7 @@ import { orientation } from '../geometry/predicates.ts';
 import { squaredDistanceToSegment } from '../geometry/segments.ts';
 import type { Gap, Ring } from '../types.ts';
 import { isClear, missingCorner } from './gap-corner.ts';
-import { coordinatesOf, ringPoints } from './hull-ring.ts';
+import { coordinatesOf } from './hull-ring.ts';
 import { NOISE_DEPTH, type Opening } from './opening.ts';
 import { findOpeningPoint } from './opening-point.ts';
 import { continuesWalls } from './wall-run.ts';
@@ -30,14 +30,14 @@ export interface BridgedGap {
  */
 export function findGaps(opening: Opening, longestLeg: number): readonly BridgedGap[] {
   const { hull, bridges } = opening;
-  const points = ringPoints(hull);
+  if (bridges.length === 0) return [];
+  const { x, y } = hull.grid;
   const ring = coordinatesOf(hull);
-  const placeOf = new Map(points.map((point, place) => [point, place]));
   const found: BridgedGap[] = [];
   for (let k = 0; k < bridges.length; k += 2) {
     const a = bridges[k];
     if (!continuesWalls(hull, a, LEAST_COSINE)) continue;
-    const corner = missingCorner(ring, placeOf.get(a)!, longestLeg);
+    const corner = missingCorner(ring, vertexAt(ring, [x[a], y[a]]), longestLeg);
     found.push({ a, corner: corner === null || hidesPoint(opening, a, corner) ? null : corner });
   }
   return found;
