@@ -9,6 +9,7 @@ import { simplifyRing } from '../regularise/simplify-ring.ts';
 import { passesOf } from '../regularise.ts';
 import type { Ring } from '../types.ts';
 import { completeShell } from './complete-shell.ts';
+import { fitSides } from './fit-sides.ts';
 
 /** Share of the squared extent below which points lie on a line. */
 const ROUNDING = 1e-9;
@@ -19,6 +20,13 @@ const ROUNDING = 1e-9;
  */
 const LEAST_FILL = 0.5;
 
+export interface StructureOutline {
+  /** Simple, counter-clockwise. */
+  readonly ring: Ring;
+  /** A side was not seen, so the ring is completed. */
+  readonly isOpen: boolean;
+}
+
 /**
  * Outer face of a structure that stands free: its concave outline; when one side of it was not seen, the
  * circle or rectangle its points lie on, else their convex hull.
@@ -26,12 +34,21 @@ const LEAST_FILL = 0.5;
  * @param xy x, y a point, m
  * @returns null when the points enclose no area
  */
-export function outlineStructure(xy: Float64Array, options: Options, context: StageContext): Ring | null {
-  const concave = outlinePoints(xy, options, context);
+export function outlineStructure(
+  xy: Float64Array,
+  noise: number,
+  options: Options,
+  context: StageContext,
+): StructureOutline | null {
+  const concave = concaveRing(xy, options, context);
+  if (!concave) return null;
   const hull = convexHull(xy);
-  const whole = concave && completeShell(xy);
-  if (!concave || signedArea(concave) >= LEAST_FILL * signedArea(whole ?? hull)) return concave;
-  return whole ?? simplifyRing(hull, passesFor(options));
+  const whole = completeShell(xy);
+  const isOpen = signedArea(concave) < LEAST_FILL * signedArea(whole ?? hull);
+  if (isOpen && whole) return { ring: whole, isOpen };
+  const epsilon = Math.min(options.secondaryEpsilon, Math.max(3 * noise, 0.05 * Math.sqrt(signedArea(hull))));
+  const sides = simplifyRing(isOpen ? hull : concave, { epsilon, areaEpsilon: 0, passes: ['douglas-peucker'] });
+  return { ring: fitSides(sides, xy, noise), isOpen };
 }
 
 /**
@@ -41,6 +58,11 @@ export function outlineStructure(xy: Float64Array, options: Options, context: St
  * @returns null when the points enclose no area
  */
 export function outlinePoints(xy: Float64Array, options: Options, context: StageContext): Ring | null {
+  const ring = concaveRing(xy, options, context);
+  return ring && simplifyRing(ring, passesFor(options));
+}
+
+function concaveRing(xy: Float64Array, options: Options, context: StageContext): Ring | null {
   const points = distinctPoints(xy);
   if (points.length < 6) return null;
   const hull = convexHull(points);
@@ -49,7 +71,7 @@ export function outlinePoints(xy: Float64Array, options: Options, context: Stage
   const ownOptions: Options = { ...options, boundary: 'gift-opening', bridgeGap: 0 };
   const slice = { xy: points, band: [0, 0] as const, spacing: meanSpacing(points) };
   const { polygons } = findBoundary(slice, ownOptions, { ...context, warn: () => {} });
-  return simplifyRing(polygons[0].outer, passesFor(options));
+  return polygons[0].outer;
 }
 
 function passesFor(options: Options) {
