@@ -56,7 +56,8 @@ export async function secondaryCases(casesAHalf = CASES_A_HALF): Promise<Seconda
 
 async function measureCases(firstSeed: number, count: number): Promise<SecondaryCase[]> {
   const cases: SecondaryCase[] = [];
-  for (let seed = firstSeed; seed < firstSeed + count; seed++) cases.push(await measureCase(variedSlice(seed)));
+  for (let seed = firstSeed; seed < firstSeed + count; seed++)
+    cases.push(await measureCase(variedSlice(seed)));
   return cases;
 }
 
@@ -86,10 +87,10 @@ function csvOf({ xy }: VariedSlice): string {
 function regionInPixels({ boundaries: [{ outline }] }: SecondaryResult, session: Session): Region {
   const [x0, y0] = session.result!.plan.frame.planOrigin;
   const { outer } = outline;
-  const ring = Array.from({ length: outer.length / 2 }, (_, i): XY => [
-    x0 + outer[2 * i] * PIXELS_PER_METRE,
-    y0 + outer[2 * i + 1] * PIXELS_PER_METRE,
-  ]);
+  const ring = Array.from(
+    { length: outer.length / 2 },
+    (_, i): XY => [x0 + outer[2 * i] * PIXELS_PER_METRE, y0 + outer[2 * i + 1] * PIXELS_PER_METRE],
+  );
   return regionOf([ring]);
 }
 

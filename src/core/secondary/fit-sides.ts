@@ -1,6 +1,6 @@
+import { isCounterClockwise } from '../geometry/rings.ts';
 import { lineIntersection } from '../geometry/segments.ts';
 import { isSimpleRing } from '../geometry/simplicity.ts';
-import { isCounterClockwise } from '../geometry/rings.ts';
 import type { Ring } from '../types.ts';
 import { RingEdges } from './ring-edges.ts';
 
@@ -29,7 +29,11 @@ export function fitSides(ring: Ring, xy: Float64Array, noise: number): Ring {
     edges.project(xy[i], xy[i + 1]);
     if (edges.along >= 0 && edges.along <= edges.length[edges.edge]) depths[edges.edge].push(edges.across);
   }
-  const moved = movedRing(ring, depths.map((values) => faceDepth(values, noise)), noise);
+  const moved = movedRing(
+    ring,
+    depths.map((values) => faceDepth(values, noise)),
+    noise,
+  );
   return isCounterClockwise(moved) && isSimpleRing(moved) ? moved : ring;
 }
 

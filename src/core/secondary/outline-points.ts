@@ -8,48 +8,9 @@ import type { Options } from '../params.ts';
 import { simplifyRing } from '../regularise/simplify-ring.ts';
 import { passesOf } from '../regularise.ts';
 import type { Ring } from '../types.ts';
-import { completeShell } from './complete-shell.ts';
-import { fitSides } from './fit-sides.ts';
 
 /** Share of the squared extent below which points lie on a line. */
 const ROUNDING = 1e-9;
-
-/**
- * A concave outline with less than this share of the convex hull's area fell in through a side no scanner
- * saw.
- */
-const LEAST_FILL = 0.5;
-
-export interface StructureOutline {
-  /** Simple, counter-clockwise. */
-  readonly ring: Ring;
-  /** A side was not seen, so the ring is completed. */
-  readonly isOpen: boolean;
-}
-
-/**
- * Outer face of a structure that stands free: its concave outline; when one side of it was not seen, the
- * circle or rectangle its points lie on, else their convex hull.
- *
- * @param xy x, y a point, m
- * @returns null when the points enclose no area
- */
-export function outlineStructure(
-  xy: Float64Array,
-  noise: number,
-  options: Options,
-  context: StageContext,
-): StructureOutline | null {
-  const concave = concaveRing(xy, options, context);
-  if (!concave) return null;
-  const hull = convexHull(xy);
-  const whole = completeShell(xy);
-  const isOpen = signedArea(concave) < LEAST_FILL * signedArea(whole ?? hull);
-  if (isOpen && whole) return { ring: whole, isOpen };
-  const epsilon = Math.min(options.secondaryEpsilon, Math.max(3 * noise, 0.05 * Math.sqrt(signedArea(hull))));
-  const sides = simplifyRing(isOpen ? hull : concave, { epsilon, areaEpsilon: 0, passes: ['douglas-peucker'] });
-  return { ring: fitSides(sides, xy, noise), isOpen };
-}
 
 /**
  * Concave outline of some points by gift opening, regularised with the tolerance of secondary boundaries.
@@ -59,10 +20,14 @@ export function outlineStructure(
  */
 export function outlinePoints(xy: Float64Array, options: Options, context: StageContext): Ring | null {
   const ring = concaveRing(xy, options, context);
-  return ring && simplifyRing(ring, passesFor(options));
+  if (!ring) return null;
+  const { secondaryEpsilon: epsilon, visvalingamEpsilon } = options;
+  const areaEpsilon = visvalingamEpsilon === 'auto' ? epsilon ** 2 : visvalingamEpsilon;
+  return simplifyRing(ring, { epsilon, areaEpsilon, passes: passesOf(options) });
 }
 
-function concaveRing(xy: Float64Array, options: Options, context: StageContext): Ring | null {
+/** Concave outline of some points by gift opening; null when they enclose no area. */
+export function concaveRing(xy: Float64Array, options: Options, context: StageContext): Ring | null {
   const points = distinctPoints(xy);
   if (points.length < 6) return null;
   const hull = convexHull(points);
@@ -72,12 +37,6 @@ function concaveRing(xy: Float64Array, options: Options, context: StageContext):
   const slice = { xy: points, band: [0, 0] as const, spacing: meanSpacing(points) };
   const { polygons } = findBoundary(slice, ownOptions, { ...context, warn: () => {} });
   return polygons[0].outer;
-}
-
-function passesFor(options: Options) {
-  const { secondaryEpsilon: epsilon, visvalingamEpsilon } = options;
-  const areaEpsilon = visvalingamEpsilon === 'auto' ? epsilon ** 2 : visvalingamEpsilon;
-  return { epsilon, areaEpsilon, passes: passesOf(options) };
 }
 
 function squaredExtent(ring: Ring): number {

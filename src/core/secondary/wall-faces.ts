@@ -3,6 +3,7 @@ import type { StageContext } from '../context.ts';
 import type { Options } from '../params.ts';
 import { simplifyRing } from '../regularise/simplify-ring.ts';
 import type { Polygon, Slice } from '../types.ts';
+import { evenSample } from './even-sample.ts';
 import { RingEdges } from './ring-edges.ts';
 
 /** A wall's points lie within this many deviations of its outermost one. */
@@ -11,6 +12,9 @@ const BAND_DEVIATIONS = 6;
 const FACE_DEVIATIONS = 3;
 /** Rounds in which the band grows; each at most by 1.7, so 10 cover three orders of magnitude. */
 const BAND_ROUNDS = 10;
+/** Points that tell the noise, and the faces, at most: more change them by less than a tenth of the noise. */
+const NOISE_SAMPLE = 4_000;
+const FACE_SAMPLE = 20_000;
 /** Fewer points tell no line. */
 const FEWEST_ON_LINE = 8;
 /** Standard deviation by median deviation of a normal distribution. */
@@ -31,14 +35,18 @@ export interface WallFaces {
  *
  * Ours. The outline runs along the outermost points of a wall, so lines are fitted to the points that each of its
  * edges stands for. How far these scatter is told by neighbours along the outline ({@link noiseAlong}): spacing says
- * nothing about it, so sparse and dense slices are treated alike. O(points · edges).
+ * nothing about it, so sparse and dense slices are treated alike. O(sample · edges) beside the outline.
  */
 export function findWallFaces(slice: Slice, options: Options, context: StageContext): WallFaces {
   const own: Options = { ...options, boundary: 'gift-opening' };
   const { polygons } = findBoundary(slice, own, { ...context, warn: () => {} });
-  const noise = noiseAlong(slice, simplified(polygons, slice.spacing));
+  const noise = noiseAlong(
+    evenSample(slice.xy, NOISE_SAMPLE),
+    slice.spacing,
+    simplified(polygons, slice.spacing),
+  );
   const edges = new RingEdges(simplified(polygons, 2 * noise));
-  const lines = fitLines(slice.xy, edges, noise);
+  const lines = fitLines(evenSample(slice.xy, FACE_SAMPLE), edges, noise);
   return {
     noise,
     reach: FACE_DEVIATIONS * noise,
@@ -61,7 +69,7 @@ function simplified(polygons: readonly Polygon[], epsilon: number): readonly Pol
  * Standard deviation of points across the walls, by the median distance of a point to the line between its neighbours
  * along the outline: corners and curves weigh little, structures none but where they stand in the band.
  */
-function noiseAlong({ xy, spacing }: Slice, polygons: readonly Polygon[]): number {
+function noiseAlong(xy: Float64Array, spacing: number, polygons: readonly Polygon[]): number {
   const edges = new RingEdges(polygons);
   const n = xy.length / 2;
   const [way, depth] = [new Float64Array(n), new Float64Array(n)];
@@ -74,7 +82,11 @@ function noiseAlong({ xy, spacing }: Slice, polygons: readonly Polygon[]): numbe
   let band = 2 * spacing;
   let noise = 0;
   for (let round = 0; round < BAND_ROUNDS; round++) {
-    noise = scatter(order.filter((i) => Math.abs(depth[i]) <= band), way, depth);
+    noise = scatter(
+      order.filter((i) => Math.abs(depth[i]) <= band),
+      way,
+      depth,
+    );
     if (BAND_DEVIATIONS * noise <= band) break;
     band = BAND_DEVIATIONS * noise;
   }

@@ -3,8 +3,8 @@ import type { Ring } from '../types.ts';
 import { RingEdges } from './ring-edges.ts';
 import type { WallFaces } from './wall-faces.ts';
 
-/** The facing side ends where the outline rises by so much of the structure's size: past a corner of 45° half its side. */
-const FACING_RISE = 0.15;
+/** A side faces the walls as far as its outward normal points at them within 60°. */
+const FACING_COSINE = 0.5;
 /** A place on an outline is seen when a point lies within so many mean gaps along it … */
 const SEEN_GAPS = 1.5;
 /** … and deviations across it: one of 20 places is missed by chance. */
@@ -22,22 +22,25 @@ const PLACES = 256;
  * @param xy points of the structure, x, y each, m
  * @returns 0 where the side is too short to tell. O(points · vertices).
  */
-export function facingSideSeen(outline: Ring, xy: Float64Array, faces: WallFaces): number {
+export function facingShare(outline: Ring, xy: Float64Array, faces: WallFaces): number {
   const edges = new RingEdges([{ outer: outline, holes: [] }]);
   const length = perimeter(outline);
   const step = length / PLACES;
   const { isSeen, gap } = seenPlaces(edges, xy, length, faces.noise);
-  const heights = placeHeights(outline, edges, step, faces);
-  let lowest = 0;
-  for (let k = 1; k < PLACES; k++) if (heights[k] < heights[lowest]) lowest = k;
-  const top = heights.reduce((most, height) => Math.max(most, height), -Infinity);
-  const limit = heights[lowest] + Math.max(faces.reach, FACING_RISE * (top - heights[lowest]));
-  const from = lowest - runLength(heights, lowest, -1, limit);
-  const to = lowest + runLength(heights, lowest, 1, limit);
+  const { lowest, isFacing } = facingPlaces(outline, edges, step, faces);
+  const from = lowest - runLength(isFacing, lowest, -1);
+  const to = lowest + runLength(isFacing, lowest, 1);
   const ends = Math.ceil((END_DEVIATIONS * faces.noise + SEEN_GAPS * gap) / step);
   let seen = 0;
   for (let k = from + ends; k <= to - ends; k++) seen += isSeen[(k + PLACES) % PLACES];
   return seen / Math.max(1, to - from - 2 * ends + 1);
+}
+
+/** Share of an outline along which points were seen. */
+export function seenShare(outline: Ring, xy: Float64Array, noise: number): number {
+  const edges = new RingEdges([{ outer: outline, holes: [] }]);
+  const { isSeen } = seenPlaces(edges, xy, perimeter(outline), noise);
+  return isSeen.reduce((sum, seen) => sum + seen, 0) / PLACES;
 }
 
 /** Which of the places along an outline have points near, and the mean way between points along it. */
@@ -59,22 +62,31 @@ function seenPlaces(edges: RingEdges, xy: Float64Array, length: number, noise: n
   return { isSeen, gap };
 }
 
-function placeHeights(outline: Ring, edges: RingEdges, step: number, faces: WallFaces): Float64Array {
-  const heights = new Float64Array(PLACES);
-  let e = 0;
+/** Which places look at the walls, and the one nearest to them. */
+function facingPlaces(outline: Ring, edges: RingEdges, step: number, { noise, heightAt }: WallFaces) {
+  const isFacing = new Uint8Array(PLACES);
+  let [e, lowest, least] = [0, 0, Infinity];
+  const look = Math.max(noise, step);
   for (let k = 0; k < PLACES; k++) {
-    const way = k * step;
-    while (e + 1 < edges.count && way >= edges.before[e + 1]) e++;
-    const share = (way - edges.before[e]) / edges.length[e];
+    while (e + 1 < edges.count && k * step >= edges.before[e + 1]) e++;
     const [i, j] = [2 * e, (2 * e + 2) % outline.length];
-    const x = outline[i] + share * (outline[j] - outline[i]);
-    heights[k] = faces.heightAt(x, outline[i + 1] + share * (outline[j + 1] - outline[i + 1]));
+    const [dx, dy] = [outline[j] - outline[i], outline[j + 1] - outline[i + 1]].map(
+      (d) => d / edges.length[e],
+    );
+    const along = k * step - edges.before[e];
+    const [x, y] = [outline[i] + along * dx, outline[i + 1] + along * dy];
+    const height = heightAt(x, y);
+    isFacing[k] = heightAt(x + look * dy, y - look * dx) <= height - FACING_COSINE * look ? 1 : 0;
+    if (height >= least) continue;
+    least = height;
+    lowest = k;
   }
-  return heights;
+  return { lowest, isFacing };
 }
 
-function runLength(heights: Float64Array, from: number, turn: 1 | -1, limit: number): number {
+/** How many facing places follow one. */
+function runLength(isFacing: Uint8Array, from: number, turn: 1 | -1): number {
   let steps = 0;
-  while (steps < PLACES / 2 && heights[(from + turn * (steps + 1) + PLACES) % PLACES] <= limit) steps++;
+  while (steps < PLACES / 2 && isFacing[(from + turn * (steps + 1) + PLACES) % PLACES] === 1) steps++;
   return steps;
 }
