@@ -48,5 +48,6 @@ export function carve(base: readonly Polygon[], secondary: readonly SecondaryBou
 
 /** The union of areas; those that rounding alone keeps apart become one. */
 export function unite(polygons: readonly Polygon[]): Polygon[] {
+  if (polygons.length < 2) return combine('union', polygons);
   return combine('union', shareVertices(polygons.map((polygon) => [polygon])).flat());
 }
