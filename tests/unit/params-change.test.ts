@@ -65,6 +65,7 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   wallThickness: { on: 'scan', to: { wallThickness: 0.4 } },
   wallSide: { on: 'scan', to: { wallSide: 'centre' } },
   wallHeight: { on: 'scan', to: { wallHeight: 1 } },
+  doors: { on: 'slice', to: { doors: '300,60,0.9' } },
   floorSlab: { on: 'scan', to: { floorSlab: false } },
   ceilingSlab: { on: 'scan', to: { ceilingSlab: true } },
   slabThickness: { on: 'scan', to: { slabThickness: 0.5 } },
