@@ -320,15 +320,16 @@ export const PARAMS = {
     source: '[Stojanovic19] §4',
     advanced: true,
   }),
-  secondaryCount: number({
-    default: 0,
+  secondaryCount: autoNumber({
+    default: 'auto',
+    paper: 0,
     min: 0,
     max: 16,
     step: 1,
     unit: '',
     stage: 'secondary',
     label: 'Secondary boundaries',
-    doc: 'How many columns, shafts or cubicles stand inside the outline; k-means runs with one cluster more.',
+    doc: 'How many columns, shafts or cubicles stand inside the outline; the paper method runs k-means with one cluster more. auto proposes: robust takes all it finds but pieces of wall, paper the number of clusters with the best silhouette, less one.',
     source: '[Stojanovic19] §3.1',
   }),
   secondaryMethod: choice(['robust', 'paper'], {
@@ -338,6 +339,18 @@ export const PARAMS = {
     label: 'Secondary method',
     doc: 'robust outlines point groups detached from the walls by their outer face; paper is k-means with the stroke filter, which keeps the innermost points.',
     source: '[Stojanovic19] §3.1',
+  }),
+  secondaryCluster: autoNumber({
+    default: 'auto',
+    min: 0,
+    max: 16,
+    step: 1,
+    unit: '',
+    stage: 'secondary',
+    label: 'Structure cluster',
+    doc: 'Paper method: the cluster, numbered from left to right from 0, that is taken for the first structure; auto takes the one with the most points.',
+    source: '[Stojanovic19] §3.1',
+    advanced: true,
   }),
   secondaryOperation: choiceList(['subtract', 'add', 'independent'], {
     default: ['subtract'],

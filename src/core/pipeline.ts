@@ -91,7 +91,8 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     'secondary',
     options,
     (context) => findSecondary(slice, regularised, options, context),
-    ({ boundaries }) => count(boundaries.length, 'structure'),
+    ({ boundaries }) =>
+      `${count(boundaries.length, 'structure')}${options.secondaryCount === 'auto' ? ' (proposed)' : ''}`,
   );
   const plan = await run.stage(
     'plan',

@@ -51,6 +51,7 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   visvalingamEpsilon: { on: 'slice', to: { visvalingamEpsilon: 0.5 } },
   secondaryCount: { on: 'slice', to: { secondaryCount: 1 } },
   secondaryMethod: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryMethod: 'robust' } },
+  secondaryCluster: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryCluster: 0 } },
   secondaryOperation: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryOperation: ['add'] } },
   secondarySample: {
     on: 'slice',
