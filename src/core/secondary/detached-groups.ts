@@ -89,7 +89,7 @@ function candidateOf(group: OffWallGroup, surroundings: Surroundings): Candidate
   const { outline, isCompleted } = found;
   if (group.place !== 'clear') {
     if (isCompleted || isWallPiece(outline) || widthOf(outline) < LEAST_WIDTH_AT_WALL) return null;
-    if (seenShare(outline, points, faces.noise) < SEEN_SHARE) return null;
+    if (seenShare(outline, points, faces) < SEEN_SHARE) return null;
   }
   if (group.place === 'touching' && facingShare(outline, points, faces) < FACING_SHARE) return null;
   return { group, outline, type: typeOf(outline, points), points: group.members.length };

@@ -48,7 +48,7 @@ export function findByClusters(
     const { structure, rounds } = refine({ points, centre, random }, primary, options, context);
     searches.push({ cluster, rounds });
     if (structure) found.push(structure);
-    else warnOfNoOutline(cluster, points.length / 2, rounds[0], context);
+    warnOfNoOutline(cluster, points.length / 2, rounds, context);
     context.progress(searches.length / wanted);
   }
   return { clusters: clusters.clusterOf, wanted, found, searches };
@@ -63,24 +63,26 @@ function warnOfTooMany({ sizes }: Clusters, wanted: number, context: StageContex
   });
 }
 
+/** A round without an outline ends the search; the one before it, if any, counts. */
 function warnOfNoOutline(
   cluster: number,
   points: number,
-  { near, outline, innermost }: SecondaryRound,
+  rounds: readonly SecondaryRound[],
   context: StageContext,
 ): void {
-  const [reason, hint] = !outline
-    ? [
-        `the ${near.length / 2} of them inside the outline and near its centre enclose no area`,
-        'Pick another cluster, or ask for another number of secondary boundaries.',
-      ]
+  const { near, outline, innermost, result } = rounds[rounds.length - 1];
+  if (result) return;
+  const [left, hint] = outline
+    ? [`the ${innermost.length / 2} that the stroke leaves`, 'Try a thinner stroke, or the robust method.']
     : [
-        `the ${innermost.length / 2} of them that the stroke leaves enclose no area`,
-        'Try a thinner stroke, or the robust method.',
+        `the ${near.length / 2} inside the boundary before and near its centre`,
+        'Pick another cluster, or ask for another number of secondary boundaries.',
       ];
+  const end =
+    rounds.length === 1 ? 'it gives no secondary boundary' : `round ${rounds.length - 1} is taken instead`;
   context.warn({
     code: 'secondary/no-outline',
-    message: `Cluster ${cluster} has ${points} points, but ${reason}; it gives no secondary boundary.`,
+    message: `Cluster ${cluster} has ${points} points, but in round ${rounds.length} ${left} enclose no area; ${end}.`,
     hint,
   });
 }

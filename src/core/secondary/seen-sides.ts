@@ -5,10 +5,8 @@ import type { WallFaces } from './wall-faces.ts';
 
 /** A side faces the walls as far as its outward normal points at them within 60°. */
 const FACING_COSINE = 0.5;
-/** A place on an outline is seen when a point lies within so many mean gaps along it … */
+/** A place on an outline is seen when a point of its face lies within so many mean gaps: one of 20 is missed by chance. */
 const SEEN_GAPS = 1.5;
-/** … and deviations across it: one of 20 places is missed by chance. */
-const SEEN_DEVIATIONS = 3;
 /** Within so many deviations of its ends the points may be those of the sides next to it. */
 const END_DEVIATIONS = 2;
 /** Places looked at along an outline. */
@@ -26,7 +24,7 @@ export function facingShare(outline: Ring, xy: Float64Array, faces: WallFaces): 
   const edges = new RingEdges([{ outer: outline, holes: [] }]);
   const length = perimeter(outline);
   const step = length / PLACES;
-  const { isSeen, gap } = seenPlaces(edges, xy, length, faces.noise);
+  const { isSeen, gap } = seenPlaces(edges, xy, length, faces.reach);
   const { lowest, isFacing } = facingPlaces(outline, edges, step, faces);
   const from = lowest - runLength(isFacing, lowest, -1);
   const to = lowest + runLength(isFacing, lowest, 1);
@@ -37,18 +35,18 @@ export function facingShare(outline: Ring, xy: Float64Array, faces: WallFaces): 
 }
 
 /** Share of an outline along which points were seen. */
-export function seenShare(outline: Ring, xy: Float64Array, noise: number): number {
+export function seenShare(outline: Ring, xy: Float64Array, { reach }: WallFaces): number {
   const edges = new RingEdges([{ outer: outline, holes: [] }]);
-  const { isSeen } = seenPlaces(edges, xy, perimeter(outline), noise);
+  const { isSeen } = seenPlaces(edges, xy, perimeter(outline), reach);
   return isSeen.reduce((sum, seen) => sum + seen, 0) / PLACES;
 }
 
 /** Which of the places along an outline have points near, and the mean way between points along it. */
-function seenPlaces(edges: RingEdges, xy: Float64Array, length: number, noise: number) {
+function seenPlaces(edges: RingEdges, xy: Float64Array, length: number, faceReach: number) {
   const ways: number[] = [];
   for (let i = 0; i < xy.length; i += 2) {
     edges.project(xy[i], xy[i + 1]);
-    if (Math.abs(edges.across) > SEEN_DEVIATIONS * noise) continue;
+    if (Math.abs(edges.across) > faceReach) continue;
     ways.push(edges.before[edges.edge] + Math.max(0, Math.min(edges.length[edges.edge], edges.along)));
   }
   const gap = length / Math.max(1, ways.length);

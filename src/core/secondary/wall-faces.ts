@@ -10,11 +10,15 @@ import { RingEdges } from './ring-edges.ts';
 const BAND_DEVIATIONS = 6;
 /** … and of its face within this many: one of 700 lies further in. */
 const FACE_DEVIATIONS = 3;
+/** Drawn lines scatter by rounding only: what is nearer than this many spacings is on them. */
+const LEAST_REACH_SPACINGS = 0.1;
 /** Rounds in which the band grows; each at most by 1.7, so 10 cover three orders of magnitude. */
 const BAND_ROUNDS = 10;
 /** Points that tell the noise, and the faces, at most: more change them by less than a tenth of the noise. */
 const NOISE_SAMPLE = 4_000;
 const FACE_SAMPLE = 20_000;
+/** Rounds of a line fit, each over the points near the line before. */
+const LINE_ROUNDS = 3;
 /** Fewer points tell no line. */
 const FEWEST_ON_LINE = 8;
 /** Standard deviation by median deviation of a normal distribution. */
@@ -24,7 +28,7 @@ const DEVIATION_BY_MEDIAN = 1.4826;
 export interface WallFaces {
   /** Standard deviation of the points across a face, m. */
   readonly noise: number;
-  /** Points lower than this may be wall. */
+  /** Points this near to a face are on it, m. */
   readonly reach: number;
   /** Distance of a place in the room to the nearest face, m; negative behind it. */
   heightAt(x: number, y: number): number;
@@ -49,7 +53,7 @@ export function findWallFaces(slice: Slice, options: Options, context: StageCont
   const lines = fitLines(evenSample(slice.xy, FACE_SAMPLE), edges, noise);
   return {
     noise,
-    reach: FACE_DEVIATIONS * noise,
+    reach: Math.max(FACE_DEVIATIONS * noise, LEAST_REACH_SPACINGS * slice.spacing),
     heightAt(x, y) {
       edges.project(x, y);
       const { edge, along, across } = edges;
@@ -122,7 +126,8 @@ function fitLines(xy: Float64Array, edges: RingEdges, noise: number): Lines {
   const usual = median(across.flat());
   const lines = { offset: new Float64Array(edges.count).fill(usual), slope: new Float64Array(edges.count) };
   for (let e = 0; e < edges.count; e++) {
-    for (let round = 0; round < 3; round++) fitLine(along[e], across[e], e, lines, FACE_DEVIATIONS * noise);
+    for (let round = 0; round < LINE_ROUNDS; round++)
+      fitLine(along[e], across[e], e, lines, FACE_DEVIATIONS * noise);
   }
   return lines;
 }
