@@ -329,7 +329,7 @@ export const PARAMS = {
     unit: '',
     stage: 'secondary',
     label: 'Secondary boundaries',
-    doc: 'How many columns, shafts or cubicles stand inside the outline; the paper method runs k-means with one cluster more. auto proposes: robust takes all it finds but pieces of wall, paper the number of clusters with the best silhouette, less one.',
+    doc: 'How many columns, shafts or cubicles stand inside the outline; the paper method runs k-means with one cluster more. auto proposes: robust takes what is surely hollow and no piece of wall, paper the number of clusters with the best silhouette, less one.',
     source: '[Stojanovic19] §3.1',
   }),
   secondaryMethod: choice(['robust', 'paper'], {

@@ -2,8 +2,9 @@ import type { StageContext } from '../context.ts';
 import { centroid, perimeter, pointInPolygon, signedArea } from '../geometry/rings.ts';
 import type { Options } from '../params.ts';
 import type { Polygon, Ring, Slice } from '../types.ts';
+import { isFilled } from './filled.ts';
 import { cutGroup, groupOffWalls, type OffWallGroup } from './off-wall-groups.ts';
-import { outlineStructure } from './outline-structure.ts';
+import { outlineStructure, type StructureOutline } from './outline-structure.ts';
 import { pointsOf } from './point-groups.ts';
 import { facingShare, seenShare } from './seen-sides.ts';
 import { type FoundStructure, type StructureSearch, typeOf } from './structure.ts';
@@ -13,13 +14,13 @@ import { findWallFaces, type WallFaces } from './wall-faces.ts';
 const FEWEST_POINTS = 8;
 /** Thinner things are posts, poles and noise: area by half the perimeter, m. */
 const LEAST_WIDTH = 0.05;
-/** At a wall what is thinner than a 20 cm square is the end of a partition, 10 to 15 cm thick. */
-const LEAST_WIDTH_AT_WALL = 0.1;
+/** Below a 20 cm square: at a wall the end of a partition, 10 to 15 cm thick; in a room seldom a column. */
+const LEAST_CERTAIN_WIDTH = 0.1;
 /**
  * Area by squared perimeter, 1/16 for a square: below this a group is a free-standing piece of wall (about 1
- * to 10).
+ * to 6).
  */
-const WALL_COMPACTNESS = 0.02;
+const WALL_COMPACTNESS = 0.03;
 /** What touches a wall stands free of it when points show this share of its outline … */
 const SEEN_SHARE = 0.8;
 /** … and this share of the side that faces the wall. */
@@ -34,8 +35,9 @@ interface Surroundings {
   readonly context: StageContext;
 }
 
-interface Candidate extends FoundStructure {
+interface Candidate extends FoundStructure, Pick<StructureOutline, 'completion'> {
   readonly group: OffWallGroup;
+  readonly isFilled: boolean;
 }
 
 /**
@@ -44,7 +46,7 @@ interface Candidate extends FoundStructure {
  * Ours: neither clusters nor stroke. Points that the walls' faces explain go; what is left hangs together in groups.
  * A group that comes near a wall is a structure when points show its side facing the wall: what grows out of the wall
  * has none there. `secondaryCount` says how many are wanted: those clear of the walls first, then the largest,
- * free-standing pieces of wall last; `auto` takes all but pieces of wall. O(n) but for the outlines.
+ * free-standing pieces of wall last; `auto` takes those that are certain. O(n) but for the outlines.
  *
  * @returns clusters: 0 for walls and what was not taken, 1 … for the structures in order
  */
@@ -62,7 +64,7 @@ export function findDetachedGroups(
   const candidates = groupOffWalls(slice, faces).flatMap((group) => candidatesOf(group, surroundings));
   candidates.sort(byLikelihood);
   const { secondaryCount } = options;
-  const structures = candidates.filter(({ outline }) => secondaryCount !== 'auto' || !isWallPiece(outline));
+  const structures = secondaryCount === 'auto' ? candidates.filter(isCertain) : candidates;
   const wanted = secondaryCount === 'auto' ? structures.length : secondaryCount;
   const found = structures.slice(0, wanted);
   found.forEach(({ group }, k) => {
@@ -86,13 +88,21 @@ function candidateOf(group: OffWallGroup, surroundings: Surroundings): Candidate
   const points = pointsOf(slice.xy, group.members);
   const found = outlineStructure(points, faces.noise, options, context);
   if (!found || widthOf(found.outline) < LEAST_WIDTH || !isWithin(found.outline, primary)) return null;
-  const { outline, isCompleted } = found;
+  const { outline, completion } = found;
   if (group.place !== 'clear') {
-    if (isCompleted || isWallPiece(outline) || widthOf(outline) < LEAST_WIDTH_AT_WALL) return null;
+    if (completion !== 'none' || isWallPiece(outline) || widthOf(outline) < LEAST_CERTAIN_WIDTH) return null;
     if (seenShare(outline, points, faces) < SEEN_SHARE) return null;
   }
   if (group.place === 'touching' && facingShare(outline, points, faces) < FACING_SHARE) return null;
-  return { group, outline, type: typeOf(outline, points), points: group.members.length };
+  const type = typeOf(outline, points);
+  return {
+    group,
+    completion,
+    outline,
+    type,
+    points: group.members.length,
+    isFilled: isFilled(outline, points),
+  };
 }
 
 function isWithin(outline: Ring, primary: readonly Polygon[]): boolean {
@@ -102,6 +112,15 @@ function isWithin(outline: Ring, primary: readonly Polygon[]): boolean {
 
 function widthOf(outline: Ring): number {
   return (2 * signedArea(outline)) / perimeter(outline);
+}
+
+/**
+ * Faces around a hollow: no pole, no piece of wall, nothing filled with points, which may be furniture, and no side
+ * made up but of a column: larger things open to one side are partitions.
+ */
+function isCertain({ outline, completion, type, isFilled }: Candidate): boolean {
+  if (isWallPiece(outline) || isFilled || widthOf(outline) < LEAST_CERTAIN_WIDTH) return false;
+  return completion === 'none' || (completion === 'shape' && type === 'column');
 }
 
 /** Structures before pieces of wall, clear of the walls before touching, then by area; of equals the one further left. */

@@ -21,8 +21,8 @@ const LOOSENESS = 0.05;
 export interface StructureOutline {
   /** Simple, counter-clockwise. */
   readonly outline: Ring;
-  /** A side was not seen and had to be made up. */
-  readonly isCompleted: boolean;
+  /** How a side that was not seen was made up: none was, by the circle or rectangle of the others, by the convex hull. */
+  readonly completion: 'none' | 'shape' | 'hull';
 }
 
 /**
@@ -46,14 +46,14 @@ export function outlineStructure(
   if (!concave) return null;
   const hull = convexHull(xy);
   const whole = completeShell(xy);
-  const isCompleted = signedArea(concave) < LEAST_FILL * signedArea(whole ?? hull);
-  if (isCompleted && whole) return { outline: whole, isCompleted };
+  const isOpen = signedArea(concave) < LEAST_FILL * signedArea(whole ?? hull);
+  if (isOpen && whole) return { outline: whole, completion: 'shape' };
   const loose = Math.max(LOOSENESS_DEVIATIONS * noise, LOOSENESS * Math.sqrt(signedArea(hull)));
   const epsilon = Math.min(options.secondaryEpsilon, loose);
-  const sides = simplifyRing(isCompleted ? hull : concave, {
+  const sides = simplifyRing(isOpen ? hull : concave, {
     epsilon,
     areaEpsilon: 0,
     passes: ['douglas-peucker'],
   });
-  return { outline: fitSides(sides, xy, noise), isCompleted };
+  return { outline: fitSides(sides, xy, noise), completion: isOpen ? 'hull' : 'none' };
 }

@@ -144,6 +144,17 @@ describe('robust', () => {
     expect(run(room(), { secondaryCount: 'auto' }).boundaries).toEqual([]);
   });
 
+  test('a number left to it takes nothing filled with points, such as furniture, nor half a cubicle', () => {
+    const random = createRandom(7);
+    const sofa = Array.from({ length: 600 }, () => [2 + 1.6 * random(), 2 + 0.8 * random()]).flat();
+    const half = outlinePoints([5, 2, 7, 2, 7, 3.6], { count: 300, noise: 0.01, random }).slice(0, 2 * 190);
+    for (const points of [sofa, half]) {
+      const xy = Float64Array.from([...room(), ...points]);
+      expect(run(xy, { secondaryCount: 'auto' }).boundaries).toEqual([]);
+      expect(run(xy, { secondaryCount: 1 }).boundaries.length).toBe(1);
+    }
+  });
+
   test('a column 0.1 m from a wall, or from two, stands free of them', () => {
     for (const [x, y] of [
       [3, 0.1],
