@@ -39,7 +39,12 @@ function run(xy: Float64Array, given: Given) {
   const options = resolveOptions(given);
   const slice: Slice = { xy, band: [0, 0], spacing: meanSpacing(xy) };
   const quiet = listen();
-  const regularised = regulariseBoundary(findBoundary(slice, options, quiet.context), slice, options);
+  const regularised = regulariseBoundary(
+    findBoundary(slice, options, quiet.context),
+    slice,
+    options,
+    quiet.context,
+  );
   const { context, warnings } = listen();
   const strokeTest = createStrokeTest();
   const result = findSecondary(slice, regularised, options, { ...context, strokeTest });
