@@ -13,6 +13,7 @@ import {
   randomNumbers,
   scanWalls,
 } from '../unit/core/boundary/wall-slices.ts';
+import type { DoorGaps, Recesses } from './experiments.ts';
 import { cornersAlong, isConvexAt, RECESSES, ROOMS, rotated } from './room-cases.ts';
 
 export const GAP_WIDTHS = [0.3, 0.6, 1, 1.5, 2, 2.5, 3] as const;
@@ -81,47 +82,39 @@ export function outlineOf(slice: Slice, given: Partial<Options> = {}): Ring {
   return findBoundary(slice, optionsWith(given), listeningContext()).polygons[0].outer;
 }
 
-export interface GapRow {
-  readonly width: number;
-  readonly cases: number;
-  /** Shares of the true area, 0 to 1. */
-  readonly safeguard: { readonly worst: number; readonly mean: number };
-  readonly without: { readonly worst: number; readonly mean: number };
-}
-
-/** Area errors by the width of the gap, at the opening lengths auto, 0.05, 0.5 and 2 m; without: bridgeGap 0. */
-export function doorGaps(): readonly GapRow[] {
+/**
+ * Area errors by the width of the gap, at the opening lengths auto, 0.05, 0.5 and 2 m, see {@link areaLostToGap};
+ * without the safeguard `bridgeGap` is 0.
+ */
+export function doorGaps(): readonly DoorGaps[] {
   return GAP_WIDTHS.map((width) => {
-    const errors: { readonly safeguard: number; readonly without: number }[] = [];
+    const errors: number[] = [];
+    const errorsWithout: number[] = [];
     for (const { slice, whole, truth } of gapCases(width, 1)) {
       for (const openingLength of ['auto', 0.05, 0.5, 2] as const) {
         const reference = outlineOf(whole, { openingLength });
         const errorWith = (given: Partial<Options>) =>
           areaLostToGap(outlineOf(slice, { openingLength, ...given }), truth, reference);
-        errors.push({ safeguard: errorWith({}), without: errorWith({ bridgeGap: 0 }) });
+        errors.push(errorWith({}));
+        errorsWithout.push(errorWith({ bridgeGap: 0 }));
       }
     }
-    const summary = (of: 'safeguard' | 'without') => ({
-      worst: Math.max(...errors.map((error) => error[of])),
-      mean: meanOf(errors.map((error) => error[of])),
-    });
-    return { width, cases: errors.length, safeguard: summary('safeguard'), without: summary('without') };
+    return {
+      width,
+      worst: Math.max(...errors),
+      mean: meanOf(errors),
+      worstWithout: Math.max(...errorsWithout),
+      meanWithout: meanOf(errorsWithout),
+    };
   });
 }
 
-export interface RecessRow {
-  readonly width: number;
-  readonly cases: number;
-  readonly lowest: number;
-  readonly mean: number;
-}
-
-export const RECESS_DEPTHS = [0.2, 0.3, 0.6, 1.2, 2, 3] as const;
+const RECESS_DEPTHS = [0.2, 0.3, 0.6, 1.2, 2, 3] as const;
 /** Deeper in mouths, a recess no wider than a thick wall counts as the hollow of a wall. */
 const DEEPEST_IN_MOUTHS = 4;
 
 /** IoU of the raw hull with the truth by the width of a recess's mouth; every recess, depth and noise. */
-export function recesses(): readonly RecessRow[] {
+export function recesses(): readonly Recesses[] {
   return GAP_WIDTHS.map((width) => {
     const shares: number[] = [];
     const random = randomNumbers(Math.round(1000 * width));
@@ -135,7 +128,7 @@ export function recesses(): readonly RecessRow[] {
         }
       }
     }
-    return { width, cases: shares.length, lowest: Math.min(...shares), mean: meanOf(shares) };
+    return { mouth: width, lowest: Math.min(...shares), mean: meanOf(shares) };
   });
 }
 
