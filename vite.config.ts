@@ -86,7 +86,7 @@ const builds: Record<string, UserConfig> = { lib: library, cli: command };
 export default defineConfig(({ mode }) => ({
   ...(builds[mode] ?? site),
   test: {
-    include: ['tests/{unit,property,golden,accuracy}/**/*.test.ts'],
+    include: ['tests/{unit,property,golden,accuracy,reproduction}/**/*.test.ts'],
     testTimeout: 60_000,
     // The CSG packages resolve to CommonJS under Node and would load a second three.
     server: { deps: { inline: ['three-csg-ts'] } },

@@ -10,6 +10,7 @@ export { type DoorCut, type Doors, formatDoors, parseDoors } from './core/doors.
 export { type ErrorCode, FloorPlanError } from './core/errors.ts';
 export { parseParam, resolveOptions } from './core/options.ts';
 export {
+  type GivenValues,
   kebabCase,
   type Options,
   PARAM_NAMES,
@@ -18,6 +19,7 @@ export {
   type ParamRow,
 } from './core/params.ts';
 export type { PipelineHooks, Progress, StageReport } from './core/pipeline-run.ts';
+export type { StageResults } from './core/stage-results.ts';
 export { STAGE_NAMES, STAGES, type StageName } from './core/stages.ts';
 export type * from './core/types.ts';
 export { blobSource } from './read/blob-source.ts';
@@ -27,6 +29,15 @@ export { urlSource } from './read/url-source.ts';
 export { makeReport, type Report } from './session/report.ts';
 export type { RunResult } from './session/result.ts';
 export { Session, type SessionControl } from './session/session.ts';
+export { comparePolygons, type PolygonComparison } from './write/compare-polygons.ts';
+export { type ComparedRun, type ComparisonLook, drawComparison } from './write/comparison.ts';
 export { WRITE_FORMATS } from './write/formats.ts';
+export {
+  drawPicture,
+  PICTURE_NAMES,
+  PICTURES,
+  type PictureFacts,
+  type PictureName,
+} from './write/pictures.ts';
 export { parsePlanJson } from './write/plan-json.ts';
 export type { WrittenFile } from './write/plan-writer.ts';

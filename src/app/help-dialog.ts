@@ -7,6 +7,8 @@ const SHORTCUTS = [
   ['0', 'Show all of it'],
   ['Arrow keys', 'Move it'],
   ['Shift + arrow keys', 'Turn the model'],
+  ['[ ]', 'Step before, next step, while going step by step'],
+  ['Esc', 'Leave a comparison'],
   ['Double click', 'Show all of the plan; go to a spot of the model'],
   ['Ctrl + Z, Ctrl + Shift + Z', 'Undo and redo a parameter'],
   ['?', 'This help'],
@@ -32,6 +34,13 @@ export function makeHelpDialog(): HTMLDialogElement {
     definitions(OPENED.map(describe)),
     make('h3', {}, 'Saves'),
     definitions(SAVED.map(describe)),
+    make('h3', {}, 'The paper behind it'),
+    make(
+      'p',
+      {},
+      make('a', { href: './reproduction/index.html' }, 'Its figures and numbers, reproduced'),
+      ' on sets like its own, with what each method makes of them.',
+    ),
     make('h3', {}, 'Privacy'),
     make('p', {}, PRIVACY),
   );

@@ -1,14 +1,15 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { parseParam } from '../core/options.ts';
-import { kebabCase, type Options, PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
-import { SIDECARS, WRITE_FORMATS, type WriteFormatName } from '../write/formats.ts';
+import { type GivenValues, kebabCase, PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
+import { SIDECARS, WRITE_FORMAT_NAMES, WRITE_FORMATS, type WriteFormatName } from '../write/formats.ts';
+import type { WriteFormat } from '../write/plan-writer.ts';
 
 /** What a person asked of the command. */
 export interface Command {
   readonly inputs: readonly string[];
   readonly folder: string;
   readonly formats: readonly string[];
-  readonly options: Partial<Options>;
+  readonly options: GivenValues;
   /** Errors as JSON. */
   readonly isJson: boolean;
   readonly task: 'run' | 'help' | 'version';
@@ -23,9 +24,9 @@ const PARAM_OF_FLAG = new Map<string, ParamName>(PARAM_NAMES.map((name) => [`--$
  */
 export function parseArguments(words: readonly string[]): Command {
   const inputs: string[] = [];
-  const options: Partial<Options> = {};
+  const options: GivenValues = {};
   let folder = '';
-  let formats: readonly string[] = Object.keys(WRITE_FORMATS);
+  let formats: readonly string[] = WRITE_FORMAT_NAMES.filter((name) => !isOnRequest(name));
   let isJson = false;
   let task: Command['task'] = 'run';
 
@@ -72,6 +73,11 @@ function parseFormats(text: string): readonly string[] {
   }
   const wanted = names.filter((name) => name !== 'report') as WriteFormatName[];
   return [...new Set(wanted.flatMap((name) => [name, ...(SIDECARS[name] ?? [])]))];
+}
+
+function isOnRequest(name: WriteFormatName): boolean {
+  const row: WriteFormat = WRITE_FORMATS[name];
+  return row.isOnRequest ?? false;
 }
 
 function checkComplete(inputs: readonly string[], folder: string): void {

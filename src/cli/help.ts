@@ -9,11 +9,12 @@ import {
 import { STAGE_NAMES, STAGES } from '../core/stages.ts';
 import { READ_FORMATS } from '../read/formats.ts';
 import { WRITE_FORMATS } from '../write/formats.ts';
+import type { WriteFormat } from '../write/plan-writer.ts';
 
 /** The text of `grundriss --help`, made from the tables. */
 export function helpText(): string {
   const reads = Object.values(READ_FORMATS).map((format) => format.label);
-  const writes = Object.entries(WRITE_FORMATS).map(([name, { doc }]) => `  ${name.padEnd(13)}${doc}`);
+  const writes = Object.entries(WRITE_FORMATS).map(([name, row]) => formatLine(name, row));
   const params = STAGE_NAMES.flatMap((stage) => {
     const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage);
     return names.length === 0 ? [] : [`\n  ${STAGES[stage].label}`, ...names.map(paramLine)];
@@ -24,13 +25,17 @@ Turns indoor point clouds into floor plans. Reads ${reads.join(', ')}.
 One input writes its files into DIR, several into DIR/<input name>/.
 The last line of standard output is the report as JSON.
 
-Formats (all, unless --formats names some; report.json always):
+Formats (all but those on request, unless --formats names some; report.json always):
 ${writes.join('\n')}
 
-Parameters:${params.join('\n')}
+Parameters (lengths and areas also with a unit: 24mm, 2.4px, 1ft, 5cm2):${params.join('\n')}
 
 Exit codes: 0 done, 2 options, 3 input, 4 no plan, 5 environment, 70 a bug, 130 cancelled.
 `;
+}
+
+function formatLine(name: string, { doc, isOnRequest }: WriteFormat): string {
+  return `  ${name.padEnd(13)}${doc}${isOnRequest ? ' On request.' : ''}`;
 }
 
 function paramLine(name: (typeof PARAM_NAMES)[number]): string {

@@ -1,7 +1,7 @@
 import { alphaShape } from './boundary/alpha-shape.ts';
-import { closeGaps, probeClosedEdges, warnOfGaps } from './boundary/bridged-gaps.ts';
+import { closeGaps, findGaps, warnOfGaps } from './boundary/bridged-gaps.ts';
 import { concavemanRing } from './boundary/concaveman-ring.ts';
-import { openGift } from './boundary/gift-opening.ts';
+import { openGift, reachOpeningLength } from './boundary/gift-opening.ts';
 import type { StageContext } from './context.ts';
 import { FloorPlanError } from './errors.ts';
 import { convexHull } from './geometry/convex-hull.ts';
@@ -65,8 +65,9 @@ function giftBoundary(
   const bridgeLimit = options.bridgeGap > 0 ? options.bridgeGap + supportLength : 0;
   const rules = { openingLength, supportLength, bridgeLimit, spacing };
   const opening = openGift(points, rules);
-  probeClosedEdges(opening, rules);
-  const { ring, gaps } = closeGaps(opening, options.bridgeGap);
+  const found = findGaps(opening, options.bridgeGap);
+  reachOpeningLength(opening, rules);
+  const { ring, gaps } = closeGaps(opening, found);
   warnOfGaps(gaps, context);
   warnOfCollapse(opening.area / opening.hullArea, options, context);
   return { method: 'gift-opening', polygons: [asPolygon(ring)], openingLength, gaps };

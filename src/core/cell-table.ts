@@ -1,6 +1,9 @@
 /** Cell coordinates are clamped to ±HALF_RANGE, so that three of them make one exact float64 key. */
 const HALF_RANGE = 65_536;
 const RANGE = 2 * HALF_RANGE;
+/** The range of a cell coordinate that is told apart: `CELLS_ACROSS` cells from `FIRST_CELL` on. */
+export const FIRST_CELL = -HALF_RANGE;
+export const CELLS_ACROSS = RANGE;
 const EMPTY = -1;
 
 /**

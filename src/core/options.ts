@@ -2,6 +2,7 @@ import { parseDoors } from './doors.ts';
 import { FloorPlanError } from './errors.ts';
 import {
   type AutoNumberRow,
+  type GivenValues,
   type NumberRow,
   type Options,
   PARAM_NAMES,
@@ -9,36 +10,49 @@ import {
   type ParamName,
   type ParamRow,
 } from './params.ts';
+import { readQuantity, unitWords } from './quantity.ts';
 
 /**
- * Completes and checks what a person gave: the preset's values, then theirs.
+ * Completes and checks what a person gave: the preset's values, then theirs. Lengths and areas become metres and square
+ * metres, the paper's pixels by `pixelsPerMetre`.
  *
  * @param given any subset of the parameters; `undefined` counts as not given
  * @param isSlice whether the scan is a ready slice, whose automatic preset is `paper`
  * @throws option/unknown, option/invalid
  */
-export function resolveOptions(given: Partial<Options>, { isSlice = false } = {}): Options {
+export function resolveOptions(given: GivenValues, { isSlice = false } = {}): Options {
   for (const name of Object.keys(given)) {
     if (!Object.hasOwn(PARAMS, name)) throw unknownOption(name);
   }
   const preset = given.preset ?? PARAMS.preset.default;
   const resolved = preset === 'auto' ? (isSlice ? 'paper' : 'building') : preset;
   const pixelsPerMetre = given.pixelsPerMetre ?? PARAMS.pixelsPerMetre.default;
+  checkValue('pixelsPerMetre', pixelsPerMetre, pixelsPerMetre);
   const options: Record<string, unknown> = {};
   for (const name of PARAM_NAMES) {
-    const value = given[name] ?? presetValue(PARAMS[name], resolved, pixelsPerMetre);
-    checkValue(name, value);
+    const row: ParamRow = PARAMS[name];
+    const found = given[name] ?? presetValue(row, resolved, pixelsPerMetre);
+    const isText = typeof found === 'string' && (row.kind === 'number' || row.kind === 'auto-number');
+    const value = isText && powerOf(row) !== 0 ? parseNumber(row, found, pixelsPerMetre) : found;
+    checkValue(name, value, found);
     options[name] = value;
   }
   return { ...(options as Options), preset: resolved };
 }
 
-/** Reads a parameter written as text, as a flag or an attribute. @throws option/unknown, option/invalid */
-export function parseParam(name: string, text: string): Partial<Options> {
+/**
+ * Reads a parameter written as text, as a flag or an attribute. A quantity in pixels stays text: {@link resolveOptions}
+ * knows how large they are.
+ *
+ * @throws option/unknown, option/invalid
+ */
+export function parseParam(name: string, text: string): GivenValues {
   if (!Object.hasOwn(PARAMS, name)) throw unknownOption(name);
   const row: ParamRow = PARAMS[name as ParamName];
-  const value = parseValue(row, text.trim());
-  checkValue(name as ParamName, value);
+  const trimmed = text.trim();
+  const value = parseText(row, trimmed);
+  if (value === 'pixels') return { [name]: trimmed };
+  checkValue(name as ParamName, value, trimmed);
   return { [name]: value };
 }
 
@@ -48,12 +62,11 @@ function presetValue(row: ParamRow, preset: string, pixelsPerMetre: number): unk
   return row.paper.px / pixelsPerMetre ** row.paper.power;
 }
 
-function parseValue(row: ParamRow, text: string): unknown {
+function parseText(row: ParamRow, text: string): unknown {
   switch (row.kind) {
     case 'number':
-      return text === '' ? Number.NaN : Number(text);
     case 'auto-number':
-      return text === 'auto' ? 'auto' : text === '' ? Number.NaN : Number(text);
+      return parseNumber(row, text, null);
     case 'flag':
       return text === '' || text === 'true' ? true : text === 'false' ? false : text;
     case 'choice-list':
@@ -63,14 +76,32 @@ function parseValue(row: ParamRow, text: string): unknown {
   }
 }
 
-function checkValue(name: ParamName, value: unknown): void {
+/** `auto`, a number, or a quantity with its unit. */
+function parseNumber(
+  row: NumberRow | AutoNumberRow,
+  text: string,
+  pixelsPerMetre: number | null,
+): number | 'auto' | 'pixels' {
+  if (row.kind === 'auto-number' && text === 'auto') return 'auto';
+  const power = powerOf(row);
+  if (power !== 0) return readQuantity(text, power, pixelsPerMetre);
+  return text === '' ? Number.NaN : Number(text);
+}
+
+/** 1 for lengths, 2 for areas, 0 for plain numbers. */
+function powerOf({ unit }: NumberRow | AutoNumberRow): 0 | 1 | 2 {
+  return unit === 'm' ? 1 : unit === 'm²' ? 2 : 0;
+}
+
+/** @param found what the person gave, for the message */
+function checkValue(name: ParamName, value: unknown, found: unknown): void {
   const row: ParamRow = PARAMS[name];
   // Of several doors it matters which one is wrong.
   if (row.kind === 'doors' && typeof value === 'string') parseDoors(value);
   const expected = expectation(row, value);
   if (expected === null) return;
-  const found = Array.isArray(value) ? value.join(',') : String(value);
-  throw new FloorPlanError('option/invalid', `${name}: expected ${expected}, found "${found}"`, {
+  const words = Array.isArray(found) ? found.join(',') : String(found);
+  throw new FloorPlanError('option/invalid', `${name}: expected ${expected}, found "${words}"`, {
     hint: `The default is ${String(row.default)}.`,
     detail: { option: name },
   });
@@ -111,7 +142,9 @@ function inRange(row: NumberRow | AutoNumberRow, value: unknown): boolean {
 }
 
 function rangeOf(row: NumberRow | AutoNumberRow): string {
-  return `a ${isWhole(row) ? 'whole ' : ''}number from ${row.min} to ${row.max}`;
+  const range = `a ${isWhole(row) ? 'whole ' : ''}number from ${row.min} to ${row.max}`;
+  const power = powerOf(row);
+  return power === 0 ? range : `${range} ${row.unit}, or with a unit (${unitWords(power)})`;
 }
 
 function isWhole({ step, unit }: NumberRow | AutoNumberRow): boolean {

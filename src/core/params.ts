@@ -1,3 +1,4 @@
+import type { AreaText, LengthText } from './quantity.ts';
 import type { StageName } from './stages.ts';
 
 /** A length or area in the paper's canvas pixels; `pixelsPerMetre` turns it into metres or square metres. */
@@ -60,8 +61,14 @@ export type ParamRow = NumberRow | AutoNumberRow | FlagRow | ChoiceRow | ChoiceL
 
 const px = (value: number): Pixels => ({ px: value, power: 1 });
 const px2 = (value: number): Pixels => ({ px: value, power: 2 });
-const number = (row: Omit<NumberRow, 'kind'>): NumberRow => ({ kind: 'number', ...row });
-const autoNumber = (row: Omit<AutoNumberRow, 'kind'>): AutoNumberRow => ({ kind: 'auto-number', ...row });
+type In<U> = { readonly unit: U };
+const number = <U extends NumberRow['unit']>(row: Omit<NumberRow, 'kind'> & In<U>): NumberRow & In<U> => ({
+  kind: 'number',
+  ...row,
+});
+const autoNumber = <U extends NumberRow['unit']>(
+  row: Omit<AutoNumberRow, 'kind'> & In<U>,
+): AutoNumberRow & In<U> => ({ kind: 'auto-number', ...row });
 const flag = (row: Omit<FlagRow, 'kind'>): FlagRow => ({ kind: 'flag', ...row });
 const choice = <const C extends string>(
   choices: readonly C[],
@@ -300,6 +307,14 @@ export const PARAMS = {
     doc: 'Drop vertices whose triangle with their neighbours is smaller than the area ε.',
     source: '[Stojanovic19] §3',
   }),
+  cornerPass: flag({
+    default: true,
+    paper: false,
+    stage: 'regularise',
+    label: 'Corner pass',
+    doc: 'Fit a line to the points of each edge and let neighbouring lines meet: sharp corners, without the outer noise.',
+    source: 'ours',
+  }),
   epsilon: autoNumber({
     default: 'auto',
     paper: px(2.4),
@@ -325,15 +340,16 @@ export const PARAMS = {
     source: '[Stojanovic19] §4',
     advanced: true,
   }),
-  secondaryCount: number({
-    default: 0,
+  secondaryCount: autoNumber({
+    default: 'auto',
+    paper: 0,
     min: 0,
     max: 16,
     step: 1,
     unit: '',
     stage: 'secondary',
     label: 'Secondary boundaries',
-    doc: 'How many columns, shafts or cubicles stand inside the outline; k-means runs with one cluster more.',
+    doc: 'How many columns, shafts or cubicles stand inside the outline; the paper method runs k-means with one cluster more. auto proposes: robust takes what is surely hollow and no piece of wall, paper the number of clusters with the best silhouette, less one.',
     source: '[Stojanovic19] §3.1',
   }),
   secondaryMethod: choice(['robust', 'paper'], {
@@ -343,6 +359,18 @@ export const PARAMS = {
     label: 'Secondary method',
     doc: 'robust outlines point groups detached from the walls by their outer face; paper is k-means with the stroke filter, which keeps the innermost points.',
     source: '[Stojanovic19] §3.1',
+  }),
+  secondaryCluster: autoNumber({
+    default: 'auto',
+    min: 0,
+    max: 16,
+    step: 1,
+    unit: '',
+    stage: 'secondary',
+    label: 'Structure cluster',
+    doc: 'Paper method: the cluster, numbered from left to right from 0, that is taken for the first structure; auto takes the one with the most points.',
+    source: '[Stojanovic19] §3.1',
+    advanced: true,
   }),
   secondaryOperation: choiceList(['subtract', 'add', 'independent'], {
     default: ['subtract'],
@@ -482,6 +510,15 @@ type ValueOf<Row> = Row extends RowFacts<infer T> ? T : never;
 
 /** One value for every row of {@link PARAMS}. */
 export type Options = { readonly [K in ParamName]: ValueOf<(typeof PARAMS)[K]> };
+
+type GivenValue<Row> = Row extends { readonly unit: 'm' }
+  ? ValueOf<Row> | LengthText
+  : Row extends { readonly unit: 'm²' }
+    ? ValueOf<Row> | AreaText
+    : ValueOf<Row>;
+
+/** What a person may give: any of the {@link Options}, lengths and areas also as text with a unit: `24mm`, `2.4px`. */
+export type GivenValues = { readonly [K in ParamName]?: GivenValue<(typeof PARAMS)[K]> };
 
 export const PARAM_NAMES = Object.keys(PARAMS) as readonly ParamName[];
 

@@ -60,6 +60,13 @@ export class StageCache {
   set(name: StageName, cached: CachedStage): void {
     this.#stages.set(name, cached);
   }
+
+  /** A cache that starts with all that this one holds; what it takes up later stays its own. */
+  fork(): StageCache {
+    const fork = new StageCache();
+    for (const [name, cached] of this.#stages) fork.set(name, cached);
+    return fork;
+  }
 }
 
 /** One pass through {@link STAGES} with one set of options. */

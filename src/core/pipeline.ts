@@ -84,14 +84,15 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
   const regularised = await run.stage(
     'regularise',
     options,
-    () => regulariseBoundary(boundary, slice, options),
+    (context) => regulariseBoundary(boundary, slice, options, context),
     ({ polygons }) => count(vertexCount(polygons), 'vertex', 'vertices'),
   );
   const secondary = await run.stage(
     'secondary',
     options,
     (context) => findSecondary(slice, regularised, options, context),
-    ({ boundaries }) => count(boundaries.length, 'structure'),
+    ({ boundaries }) =>
+      `${count(boundaries.length, 'structure')}${options.secondaryCount === 'auto' ? ' (proposed)' : ''}`,
   );
   const plan = await run.stage(
     'plan',

@@ -1,6 +1,7 @@
-import { pointInRing } from './geometry/rings.ts';
+import type { StageContext } from './context.ts';
 import type { Options } from './params.ts';
-import { simplifyRings, type Tolerances } from './regularise/simplify-ring.ts';
+import { restoreCorners } from './regularise/restore-corners.ts';
+import { type SimplifyingPass, simplifyRings, type Tolerances } from './regularise/simplify-ring.ts';
 import type { Boundary, Polygon, RegularisationPass, RegularisedBoundary, Ring, Slice } from './types.ts';
 
 /** ε `auto`, in mean spacings [Stojanovic19] §5 … */
@@ -9,27 +10,42 @@ const EPSILON_SPACINGS = 4;
 const LEAST_EPSILON = 0.05;
 
 /**
- * Regularises a boundary by the three passes of [Stojanovic19] §3, those that are switched on, in the paper's order:
- * radial distance, Douglas-Peucker, Visvalingam.
+ * Regularises a boundary by the passes that are switched on: the three of [Stojanovic19] §3 in the paper's order (radial
+ * distance, Douglas-Peucker, Visvalingam), then ours that restores corners.
  *
- * Rings are cut at two canonical vertices, so none is privileged. No pass lets rings cross; see {@link simplifyRings}.
+ * Rings are closed lines: no vertex is privileged. No pass lets rings cross; see {@link simplifyRings} and
+ * {@link restoreCorners}. A ring smaller than a tolerance keeps as few vertices as are valid, with a warning.
  *
- * @param slice its spacing scales the automatic tolerances
+ * @param slice its spacing scales the automatic tolerances, its points carry the corners
  */
-export function regulariseBoundary(boundary: Boundary, slice: Slice, options: Options): RegularisedBoundary {
+export function regulariseBoundary(
+  boundary: Boundary,
+  slice: Slice,
+  options: Options,
+  context: Pick<StageContext, 'warn'>,
+): RegularisedBoundary {
   const tolerances = tolerancesFor(slice, options);
+  const hulls = ringsOf(boundary.polygons);
   const passes: { name: RegularisationPass; polygons: readonly Polygon[] }[] = [];
-  let { polygons } = boundary;
+  let rings: readonly Ring[] = hulls;
+  let vanished = 0;
   for (const name of passesOf(options)) {
-    polygons = regularisePolygons(polygons, name, tolerances);
-    passes.push({ name, polygons });
+    const simplified = simplifyRings(rings, name, tolerances);
+    rings = simplified.rings;
+    vanished = Math.max(vanished, simplified.vanished);
+    passes.push({ name, polygons: asPolygons(rings, boundary.polygons) });
   }
-  return { passes, polygons };
+  if (options.cornerPass) {
+    rings = restoreCorners(rings, hulls, slice);
+    passes.push({ name: 'corners', polygons: asPolygons(rings, boundary.polygons) });
+  }
+  warnOfVanished(vanished, tolerances, context);
+  return { passes, polygons: passes.at(-1)?.polygons ?? boundary.polygons };
 }
 
-/** The passes that are switched on, in the paper's order. */
-export function passesOf(options: Options): RegularisationPass[] {
-  const passes: RegularisationPass[] = [];
+/** The passes of the paper that are switched on, in its order. */
+export function passesOf(options: Options): SimplifyingPass[] {
+  const passes: SimplifyingPass[] = [];
   if (options.radialPass) passes.push('radial');
   if (options.douglasPeuckerPass) passes.push('douglas-peucker');
   if (options.visvalingamPass) passes.push('visvalingam');
@@ -44,28 +60,25 @@ export function tolerancesFor(slice: Slice, options: Options): Tolerances {
   return { epsilon, areaEpsilon };
 }
 
-function regularisePolygons(
-  polygons: readonly Polygon[],
-  pass: RegularisationPass,
-  tolerances: Tolerances,
-): readonly Polygon[] {
-  const rings: Ring[] = polygons.flatMap(({ outer, holes }) => [outer, ...holes]);
-  const simplified = simplifyRings(rings, pass, tolerances);
-  let at = 0;
-  const result = polygons.map(({ holes }) => ({
-    outer: simplified[at++],
-    holes: holes.map(() => simplified[at++]),
-  }));
-  return result.every(holdsItsHoles) ? result : polygons;
+function ringsOf(polygons: readonly Polygon[]): readonly Ring[] {
+  return polygons.flatMap(({ outer, holes }) => [outer, ...holes]);
 }
 
-/** A small hole beside an outer ring may end up outside it without a crossing. */
-function holdsItsHoles({ outer, holes }: Polygon): boolean {
-  return holes.every((hole) => {
-    for (let i = 0; i < hole.length; i += 2) {
-      const place = pointInRing(hole[i], hole[i + 1], outer);
-      if (place !== 0) return place > 0;
-    }
-    return true;
+/** The inverse of {@link ringsOf}, with as many holes each as `model` has. */
+function asPolygons(rings: readonly Ring[], model: readonly Polygon[]): readonly Polygon[] {
+  let at = 0;
+  return model.map(({ holes }) => ({ outer: rings[at++], holes: holes.map(() => rings[at++]) }));
+}
+
+function warnOfVanished(
+  rings: number,
+  { epsilon, areaEpsilon }: Tolerances,
+  { warn }: Pick<StageContext, 'warn'>,
+): void {
+  if (rings === 0) return;
+  warn({
+    code: 'regularise/epsilon-too-large',
+    message: `${rings === 1 ? 'One ring' : `${rings} rings`} of the outline ${rings === 1 ? 'is' : 'are'} smaller than the tolerance (${epsilon.toPrecision(3)} m, ${areaEpsilon.toPrecision(3)} m²) and kept only the vertices a ring needs.`,
+    hint: 'Lower epsilon and visvalingamEpsilon, or let them be auto.',
   });
 }

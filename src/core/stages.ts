@@ -48,7 +48,7 @@ export const STAGES = {
   },
   regularise: {
     label: 'Straighten',
-    doc: 'Radial distance, Douglas-Peucker and Visvalingam passes simplify the outline.',
+    doc: 'Radial distance, Douglas-Peucker and Visvalingam passes simplify the outline; its corners are restored.',
     source: '[Stojanovic19] §3',
     share: 0.02,
   },

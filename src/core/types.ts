@@ -133,9 +133,10 @@ export interface Boundary {
   readonly gaps: readonly Gap[];
 }
 
-export type RegularisationPass = 'radial' | 'douglas-peucker' | 'visvalingam';
+/** The passes of [Stojanovic19] §3, and ours that restores corners. */
+export type RegularisationPass = 'radial' | 'douglas-peucker' | 'visvalingam' | 'corners';
 
-/** A boundary after each of the passes of [Stojanovic19] §3. */
+/** A boundary after each of the passes that ran. */
 export interface RegularisedBoundary {
   readonly passes: readonly { readonly name: RegularisationPass; readonly polygons: readonly Polygon[] }[];
   /** What the last pass left. */

@@ -16,6 +16,7 @@ export const PROPERTIES = {
   options: 'Parameters given so far; setting them makes the plan again from the first step they touch.',
   spawnWorker:
     'A function that makes the worker, e.g. from grundriss/worker, where the page refuses a blob; null for the one inside.',
+  step: 'Name of the step whose picture stands in place of the drawing, or null.',
   plan: 'The FloorPlan shown, or null. Read only.',
   state: 'empty, loading, ready or failed. Read only.',
   error: 'The error of the last run, or null. Read only.',

@@ -1,4 +1,4 @@
-import { type Options, PARAMS, type ParamName, type ParamRow } from '../core/params.ts';
+import { type GivenValues, PARAMS, type ParamName, type ParamRow } from '../core/params.ts';
 import { doorsField } from './doors-field.ts';
 import type { Field, FieldFacts } from './field.ts';
 import { icon } from './icon.ts';
@@ -13,7 +13,7 @@ export function makeControl(name: ParamName, actions: Actions): Panel {
   const row: ParamRow = PARAMS[name];
   const id = `param-${name}`;
   const change = (value: unknown, isFinal: boolean) =>
-    actions.change({ [name]: value } as Partial<Options>, isFinal);
+    actions.change({ [name]: value } as GivenValues, isFinal);
   const field = makeField({ id, name, row, change });
   const reset = make(
     'button',
@@ -40,8 +40,7 @@ export function makeControl(name: ParamName, actions: Actions): Panel {
     node,
     show(model) {
       reset.hidden = model.given[name] === undefined;
-      const shown = name === 'preset' ? (model.given.preset ?? 'auto') : model.options[name];
-      field.set(shown, model);
+      field.set(model.options[name], model);
       setAttribute(node, 'data-given', model.given[name] !== undefined);
     },
   };

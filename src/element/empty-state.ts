@@ -22,9 +22,9 @@ export function makeEmptyState(actions: Actions, poster: () => string | null): P
   const node = make('div', { class: 'empty' }, picture, words);
   return {
     node,
-    show({ view, state }) {
+    show({ view, state, steps }) {
       const url = poster();
-      node.hidden = view !== null || (state === 'loading' && !url);
+      node.hidden = view !== null || steps.picture !== null || (state === 'loading' && !url);
       words.hidden = state === 'loading';
       picture.hidden = !url || view !== null;
       if (url) setAttribute(picture, 'src', url);

@@ -9,6 +9,16 @@ export function makeErrorPanel(actions: Actions): Panel {
   const code = make('code', { class: 'error-code' });
   const message = make('p', { class: 'error-message' });
   const hint = make('p', { class: 'error-hint' });
+  const before = make(
+    'button',
+    {
+      type: 'button',
+      class: 'button step-before',
+      testid: 'step-before',
+      on: { click: () => actions.turnSteps('failed') },
+    },
+    'Show the step before',
+  );
   const close = make(
     'button',
     { type: 'button', class: 'icon-button', 'aria-label': 'Close', on: { click: () => actions.dismiss() } },
@@ -18,13 +28,14 @@ export function makeErrorPanel(actions: Actions): Panel {
     'section',
     { class: 'error-panel', part: 'error', testid: 'error', role: 'alert', hidden: true },
     icon('alert'),
-    make('div', { class: 'error-words' }, message, hint, code),
+    make('div', { class: 'error-words' }, message, hint, code, before),
     close,
   );
   return {
     node,
-    show({ error }) {
+    show({ error, failed }) {
       node.hidden = error === null;
+      before.hidden = !failed || failed.error !== error || failed.pictures.length === 0;
       if (!error) return;
       const known = error instanceof FloorPlanError;
       setText(message, sayLabels(error.message));

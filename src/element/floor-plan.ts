@@ -1,9 +1,10 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { parseParam, resolveOptions } from '../core/options.ts';
-import type { Options, ParamName } from '../core/params.ts';
+import type { GivenValues, ParamName } from '../core/params.ts';
 import type { FloorPlan } from '../core/types.ts';
 import { nameOf } from '../read/url-source.ts';
 import type { DisplayUnit } from '../view/measure.ts';
+import type { PictureOf } from '../worker/protocol.ts';
 import type { Spawn } from '../worker/spawn.ts';
 import { ATTRIBUTES, LAYOUTS, type Layout, PARAM_ATTRIBUTES, type PlanState } from './contract.ts';
 import { bundleFiles, saveFile } from './files.ts';
@@ -11,10 +12,14 @@ import { GivenOptions } from './given-options.ts';
 import type { Actions, Model } from './model.ts';
 import { PlanMaker, type Source } from './plan-maker.ts';
 import { Shell } from './shell.ts';
+import { StepChoice } from './step-choice.ts';
 import { adoptStyles } from './styles.ts';
 
 /** Under Node there is no DOM: the class can be imported, not used. */
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+
+/** Keys that leaf through the steps. */
+const STEP_KEYS: Readonly<Record<string, 1 | -1>> = { '[': -1, ']': 1 };
 
 /** A moved slider makes the plan again when it has rested this long, ms. */
 const REST = 140;
@@ -36,6 +41,7 @@ export class FloorPlanElement extends Base {
     spawnWorker: () => this.#spawnWorker,
     emit: (type, detail) => this.dispatchEvent(new CustomEvent(type, { detail })),
   });
+  readonly #steps = new StepChoice(this.#maker);
   #shell: Shell | null = null;
   #spawnWorker: Spawn | null = null;
   #storey = 0;
@@ -43,7 +49,7 @@ export class FloorPlanElement extends Base {
   #frame = 0;
 
   connectedCallback(): void {
-    for (const name of ['spawnWorker', 'file', 'options'] as const) this.#upgrade(name);
+    for (const name of ['spawnWorker', 'file', 'options', 'step'] as const) this.#upgrade(name);
     if (!this.shadowRoot) this.#build();
     this.#shell!.connect();
     this.addEventListener('keydown', this.#key);
@@ -79,11 +85,11 @@ export class FloorPlanElement extends Base {
   }
 
   /** Parameters given so far. @throws option/unknown, option/invalid when set to what {@link Options} does not allow */
-  get options(): Partial<Options> {
+  get options(): GivenValues {
     return { ...this.#given.now };
   }
 
-  set options(options: Partial<Options>) {
+  set options(options: GivenValues) {
     resolveOptions(options);
     this.#given.replace(options);
     this.#scheduleRun(0);
@@ -96,6 +102,15 @@ export class FloorPlanElement extends Base {
 
   set spawnWorker(spawn: Spawn | null) {
     this.#spawnWorker = spawn;
+  }
+
+  /** Name of the step whose picture stands in place of the drawing, e.g. `hull`; null while the drawing is shown. */
+  get step(): string | null {
+    return this.#steps.name;
+  }
+
+  set step(name: string | null) {
+    this.#showStep(name);
   }
 
   get plan(): FloorPlan | null {
@@ -148,6 +163,10 @@ export class FloorPlanElement extends Base {
         this.#given.change(change, isFinal);
         this.#scheduleRun(isFinal ? 0 : REST);
       },
+      setPreset: (preset) => {
+        this.#given.takePreset(preset);
+        this.#scheduleRun(0);
+      },
       reset: (names) => {
         this.#given.reset(names);
         this.#scheduleRun(0);
@@ -162,7 +181,34 @@ export class FloorPlanElement extends Base {
         this.#storey = storey;
         this.#invalidate();
       },
+      showStep: (name) => this.#showStep(name),
+      moveStep: (by) => this.#moveStep(by),
+      turnSteps: (of) => this.#turnSteps(of),
+      picture: (name, of) => this.#maker.picture(name, of),
+      compare: ({ options, labels }, onProgress) =>
+        this.#maker.compare({ options: { ...this.#given.now, ...options }, labels }, onProgress),
+      stopComparing: () => this.#maker.stopComparing(),
     };
+  }
+
+  #showStep(name: string | null): void {
+    this.#steps.open(name);
+    // Where the model alone is shown, the picture needs a place.
+    if (name !== null && this.getAttribute('view') === '3d') this.setAttribute('view', 'split');
+    this.#invalidate();
+  }
+
+  #moveStep(by: 1 | -1): void {
+    this.#steps.move(by);
+    this.#invalidate();
+  }
+
+  #turnSteps(of: PictureOf): void {
+    this.#steps.turnTo(of);
+    if (of === 'failed') this.#maker.dismiss();
+    // What was pressed is gone.
+    this.#shell?.focusStep();
+    this.#showStep(this.#steps.name);
   }
 
   #undo(): void {
@@ -177,7 +223,10 @@ export class FloorPlanElement extends Base {
 
   #takeParam(param: ParamName, text: string | null): void {
     try {
-      this.#given.begin(param, text === null ? {} : parseParam(param, text));
+      const value = text === null ? {} : parseParam(param, text);
+      // A quantity in pixels is judged beside the pixels' size.
+      resolveOptions({ ...this.#given.now, ...value });
+      this.#given.begin(param, value);
       this.#scheduleRun(0);
     } catch (error) {
       this.#maker.complain(error as Error);
@@ -244,22 +293,29 @@ export class FloorPlanElement extends Base {
       unit,
       layout: LAYOUTS.includes(layout) ? layout : 'split',
       storey: this.#storey,
+      steps: {
+        of: this.#steps.isOfFailed ? 'failed' : 'plan',
+        pictures: this.#steps.pictures,
+        picture: this.#steps.picture,
+      },
     };
   }
 
   readonly #key = (event: KeyboardEvent): void => {
-    const isCommand = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z';
     const [target] = event.composedPath();
     // In a field the browser's own undo comes first.
-    const isTyping = target instanceof HTMLInputElement && target.type === 'number';
-    if (!isCommand || isTyping) return;
+    const isTyping = target instanceof HTMLInputElement && ['number', 'text'].includes(target.type);
+    if (isTyping) return;
+    const by = STEP_KEYS[event.key];
+    if (by && this.#steps.picture) this.#moveStep(by);
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
     event.preventDefault();
     if (event.shiftKey) this.#redo();
     else this.#undo();
   };
 
   /** A property set before the class was registered shadows the accessor; set it again through it. */
-  #upgrade(name: 'spawnWorker' | 'file' | 'options'): void {
+  #upgrade(name: 'spawnWorker' | 'file' | 'options' | 'step'): void {
     if (!Object.hasOwn(this, name)) return;
     const value = this[name];
     delete (this as Record<string, unknown>)[name];

@@ -1,14 +1,14 @@
-import type { Options, ParamName } from '../core/params.ts';
+import { type GivenValues, type Options, PARAMS, type ParamName } from '../core/params.ts';
 import { History } from './history.ts';
 
 /** The parameters a person has given, and the way back to those before. */
 export class GivenOptions {
-  readonly #history = new History<Partial<Options>>();
-  #now: Partial<Options> = {};
+  readonly #history = new History<GivenValues>();
+  #now: GivenValues = {};
   /** As they were before the slider under the hand moved. */
-  #before: Partial<Options> | null = null;
+  #before: GivenValues | null = null;
 
-  get now(): Partial<Options> {
+  get now(): GivenValues {
     return this.#now;
   }
 
@@ -21,24 +21,30 @@ export class GivenOptions {
   }
 
   /** Sets all, as one step that can be undone. */
-  replace(options: Partial<Options>): void {
+  replace(options: GivenValues): void {
     this.#history.leave(this.#now);
     this.#now = { ...options };
   }
 
   /** Sets or, where `value` is empty, forgets one parameter, without a step: what markup says is where a person begins. */
-  begin(name: ParamName, value: Partial<Options>): void {
+  begin(name: ParamName, value: GivenValues): void {
     const { [name]: _, ...others } = this.#now;
     this.#now = { ...others, ...value };
   }
 
   /** @param isFinal false while a slider is on its way: a whole slide is one step */
-  change(change: Partial<Options>, isFinal: boolean): void {
+  change(change: GivenValues, isFinal: boolean): void {
     this.#before ??= this.#now;
     this.#now = { ...this.#now, ...change };
     if (!isFinal) return;
     if (!isEqual(this.#before, this.#now)) this.#history.leave(this.#before);
     this.#before = null;
+  }
+
+  /** Sets the preset and forgets what it decides, as one step: all but what was said of the scan itself. */
+  takePreset(preset: Options['preset']): void {
+    const kept = Object.entries(this.#now).filter(([name]) => isOfScan(name as ParamName));
+    this.replace({ ...Object.fromEntries(kept), preset });
   }
 
   /** Forgets parameters, as one step. */
@@ -56,7 +62,12 @@ export class GivenOptions {
   }
 }
 
-function isEqual(a: Partial<Options>, b: Partial<Options>): boolean {
-  const text = (options: Partial<Options>) => JSON.stringify(Object.entries(options).sort());
+/** Unit, axis, scale, thinning: how to take the scan, not how to make its plan. */
+function isOfScan(name: ParamName): boolean {
+  return ['read', 'frame'].includes(PARAMS[name].stage);
+}
+
+function isEqual(a: GivenValues, b: GivenValues): boolean {
+  const text = (options: GivenValues) => JSON.stringify(Object.entries(options).sort());
   return text(a) === text(b);
 }

@@ -4,6 +4,7 @@ import alert from 'lucide-static/icons/circle-alert.svg?raw';
 import help from 'lucide-static/icons/circle-question-mark.svg?raw';
 import download from 'lucide-static/icons/download.svg?raw';
 import open from 'lucide-static/icons/folder-open.svg?raw';
+import picture from 'lucide-static/icons/images.svg?raw';
 import spinner from 'lucide-static/icons/loader-circle.svg?raw';
 import fit from 'lucide-static/icons/maximize.svg?raw';
 import minus from 'lucide-static/icons/minus.svg?raw';
@@ -30,6 +31,7 @@ const SOURCES = {
   light,
   minus,
   open,
+  picture,
   plus,
   redo,
   reset,

@@ -27,7 +27,8 @@ export function listField({ id, change }: FieldFacts, choices: readonly string[]
     node,
     set(value, { options }) {
       const given = value as readonly string[];
-      grow(Math.max(1, options.secondaryCount));
+      const { secondaryCount } = options;
+      grow(Math.max(1, secondaryCount === 'auto' ? given.length : secondaryCount));
       for (const [i, select] of selects.entries()) select.value = given[Math.min(i, given.length - 1)];
     },
   };

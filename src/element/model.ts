@@ -1,16 +1,17 @@
-import type { Options, ParamName } from '../core/params.ts';
+import type { GivenValues, Options, ParamName } from '../core/params.ts';
 import type { Progress } from '../core/pipeline-run.ts';
 import type { Warning } from '../core/types.ts';
 import type { DisplayUnit } from '../view/measure.ts';
-import type { PlanView } from '../worker/protocol.ts';
+import type { Comparison, ComparisonRequest, PictureFacts, PictureOf, PlanView } from '../worker/protocol.ts';
 import type { Layout, PlanState } from './contract.ts';
+import type { FailedRun } from './plan-maker.ts';
 
 /** Everything the element's panels show; they draw it and hold nothing of their own. */
 export interface Model {
   readonly state: PlanState;
   readonly view: PlanView | null;
   /** What a person set. */
-  readonly given: Partial<Options>;
+  readonly given: GivenValues;
   /** What holds now: the preset's values, then theirs. */
   readonly options: Options;
   /** Name of the scan shown or being read. */
@@ -21,6 +22,8 @@ export interface Model {
   /** Points seen while reading. */
   readonly pointsSeen: number;
   readonly error: Error | null;
+  /** The last run, if it failed after some stages. */
+  readonly failed: FailedRun | null;
   /** What the environment lacks, beside the warnings of the plan. */
   readonly notices: readonly Warning[];
   readonly canUndo: boolean;
@@ -28,6 +31,15 @@ export interface Model {
   readonly unit: DisplayUnit;
   readonly layout: Layout;
   readonly storey: number;
+  readonly steps: StepsShown;
+}
+
+/** The pictures of the steps, and the one in place of the drawing. */
+export interface StepsShown {
+  readonly of: PictureOf;
+  readonly pictures: readonly PictureFacts[];
+  /** Null while the drawing is shown. */
+  readonly picture: PictureFacts | null;
 }
 
 /** What a person can do. */
@@ -35,7 +47,9 @@ export interface Actions {
   open(file: File): void;
   cancel(): void;
   /** @param isFinal false while a slider is on its way */
-  change(change: Partial<Options>, isFinal: boolean): void;
+  change(change: GivenValues, isFinal: boolean): void;
+  /** Every parameter of the plan to the preset's value; what was said of the scan itself stays. */
+  setPreset(preset: Options['preset']): void;
   /** Back to the preset's value. */
   reset(names: readonly ParamName[]): void;
   undo(): void;
@@ -45,6 +59,17 @@ export interface Actions {
   setUnit(unit: DisplayUnit): void;
   setLayout(layout: Layout): void;
   setStorey(storey: number): void;
+  /** Shows a step's picture in place of the drawing; null shows the drawing again. */
+  showStep(name: string | null): void;
+  /** To the step after, or the one before. */
+  moveStep(by: 1 | -1): void;
+  /** To the pictures of the plan, or to the last one of the run that failed. */
+  turnSteps(of: PictureOf): void;
+  /** @throws FloorPlanError */
+  picture(name: string, of: PictureOf): Promise<string | null>;
+  /** What changed options make of the scan, beside its plan, which stays. @throws FloorPlanError */
+  compare(request: ComparisonRequest, onProgress: (progress: Progress) => void): Promise<Comparison>;
+  stopComparing(): void;
 }
 
 /** A piece of the element. */

@@ -1,4 +1,5 @@
-import type { AutoNumberRow, NumberRow } from '../core/params.ts';
+import { resolveOptions } from '../core/options.ts';
+import { type AutoNumberRow, type NumberRow, PARAMS, type ParamName } from '../core/params.ts';
 import type { Field, FieldFacts } from './field.ts';
 import { make, setAttribute } from './make.ts';
 import { fromTravel, hasSlider, toTravel } from './slider-scale.ts';
@@ -6,22 +7,27 @@ import { fromTravel, hasSlider, toTravel } from './slider-scale.ts';
 /** Fineness of a slider's travel. */
 const TRAVEL_STEPS = 1000;
 
-/** A slider, a number field, and for auto-numbers a box that gives the choice back to the program. */
-export function numberField({ id, change }: FieldFacts, row: NumberRow | AutoNumberRow): Field {
+/**
+ * A slider, a number field, and for auto-numbers a box that gives the choice back to the program. Lengths and areas may be
+ * typed with a unit: 24mm.
+ */
+export function numberField({ id, name, change }: FieldFacts, row: NumberRow | AutoNumberRow): Field {
   const { min, max, step, unit, label } = row;
+  const isQuantity = unit === 'm' || unit === 'm²';
+  let pixelsPerMetre: number = PARAMS.pixelsPerMetre.default;
   const number = make('input', {
-    type: 'number',
+    type: isQuantity ? 'text' : 'number',
     id,
-    min,
-    max,
-    step: 'any',
-    inputmode: step % 1 === 0 ? 'numeric' : 'decimal',
+    ...(!isQuantity && { min, max, step: 'any' }),
+    // The decimal keyboard of a phone has no letters for a unit.
+    inputmode: isQuantity ? null : step % 1 === 0 ? 'numeric' : 'decimal',
     'aria-describedby': `${id}-hint`,
     on: {
       change: () => {
-        const value = number.valueAsNumber;
-        if (value >= min && value <= max) change(step % 1 === 0 ? Math.round(value) : value, true);
-        setAttribute(number, 'aria-invalid', !(value >= min && value <= max));
+        const value = isQuantity ? readQuantity(name, number.value, pixelsPerMetre) : number.valueAsNumber;
+        const isAllowed = value === 'auto' || (value >= min && value <= max);
+        if (isAllowed) change(step % 1 === 0 && value !== 'auto' ? Math.round(value) : value, true);
+        setAttribute(number, 'aria-invalid', !isAllowed);
       },
     },
   });
@@ -38,7 +44,7 @@ export function numberField({ id, change }: FieldFacts, row: NumberRow | AutoNum
   });
   const slide = (isFinal: boolean) => {
     const value = fromTravel(slider.valueAsNumber / TRAVEL_STEPS, row);
-    number.valueAsNumber = value;
+    number.value = String(value);
     if (auto) auto.checked = false;
     change(value, isFinal);
   };
@@ -51,14 +57,15 @@ export function numberField({ id, change }: FieldFacts, row: NumberRow | AutoNum
   const node = make('div', { class: 'number-field' }, auto?.parentElement ?? null, slider, number, suffix);
   return {
     node,
-    set(value) {
+    set(value, { options }) {
+      pixelsPerMetre = options.pixelsPerMetre;
       const isAuto = value === 'auto';
       if (auto) auto.checked = isAuto;
       node.classList.toggle('is-auto', isAuto);
       if (isAuto) number.value = '';
       if (isAuto || typeof value !== 'number') return;
       number.removeAttribute('aria-invalid');
-      if (number.valueAsNumber !== value) number.valueAsNumber = value;
+      if (number.value.trim() === '' || Number(number.value) !== value) number.value = String(value);
       // A slider under the hand is not moved.
       if (!slider.matches(':active')) slider.valueAsNumber = toTravel(value, row) * TRAVEL_STEPS;
       slider.setAttribute('aria-valuetext', `${value} ${unit}`.trim());
@@ -70,4 +77,13 @@ function makeAuto(label: string, onChange: () => void): HTMLInputElement {
   const box = make('input', { type: 'checkbox', 'aria-label': `${label}: auto`, on: { change: onChange } });
   make('label', { class: 'auto' }, box, 'Auto');
   return box;
+}
+
+/** Metres or square metres; NaN for what the parameter does not allow. */
+function readQuantity(name: ParamName, text: string, pixelsPerMetre: number): number | 'auto' {
+  try {
+    return resolveOptions({ [name]: text.trim(), pixelsPerMetre })[name] as number | 'auto';
+  } catch {
+    return Number.NaN;
+  }
 }

@@ -1,15 +1,27 @@
 import { FloorPlanError } from '../core/errors.ts';
-import type { Options } from '../core/params.ts';
+import type { GivenValues } from '../core/params.ts';
 import type { Progress } from '../core/pipeline-run.ts';
 import type { FloorPlan, Warning } from '../core/types.ts';
 import { PlanClient } from '../worker/client.ts';
-import type { ExportedFile, PlanView } from '../worker/protocol.ts';
+import type {
+  Comparison,
+  ComparisonRequest,
+  Evidence,
+  ExportedFile,
+  PictureOf,
+  PlanView,
+} from '../worker/protocol.ts';
 import type { Spawn } from '../worker/spawn.ts';
 import type { FloorPlanEventMap, PlanState } from './contract.ts';
 
 export interface Source {
   readonly data: Blob | string;
   readonly name: string;
+}
+
+/** A run that failed after some stages, and what they made. */
+export interface FailedRun extends Evidence {
+  readonly error: Error;
 }
 
 export interface MakerEvents {
@@ -37,6 +49,9 @@ export class PlanMaker {
   #next: Source | null = null;
   #view: PlanView | null = null;
   #error: Error | null = null;
+  #failed: FailedRun | null = null;
+  /** Came with the answer to the run under way, just before its error. */
+  #evidence: Evidence | null = null;
   #notices: readonly Warning[] = [];
   #isRunning = false;
   #runs = 0;
@@ -56,6 +71,9 @@ export class PlanMaker {
       onPreview: (positions) => {
         this.#pointsSeen = positions.length / 3;
         events.onPreview(positions);
+      },
+      onEvidence: (evidence) => {
+        this.#evidence = evidence;
       },
       onWarning: (warning) => {
         this.#notices = [...this.#notices, warning];
@@ -78,6 +96,11 @@ export class PlanMaker {
     return this.#error;
   }
 
+  /** The last run, if it failed after some stages. */
+  get failed(): FailedRun | null {
+    return this.#failed;
+  }
+
   /** The scan being read, else the one shown. */
   get scan(): Source | null {
     return this.#next ?? this.#source;
@@ -93,6 +116,7 @@ export class PlanMaker {
       state: this.state,
       view: this.#view,
       error: this.#error,
+      failed: this.#failed,
       notices: this.#notices,
       name: this.scan?.name ?? '',
       progress: this.#progress,
@@ -102,7 +126,7 @@ export class PlanMaker {
   }
 
   /** Reads a scan and makes its plan. @throws FloorPlanError, `cancelled` among them */
-  async load(source: Source, options: Partial<Options>): Promise<FloorPlan> {
+  async load(source: Source, options: GivenValues): Promise<FloorPlan> {
     this.#next = source;
     this.#pointsSeen = 0;
     const { plan } = await this.#run(() => this.#client.load(source.data, source.name, options));
@@ -111,7 +135,7 @@ export class PlanMaker {
   }
 
   /** Makes the plan again with other parameters: of the scan being read, else of the one shown. @throws FloorPlanError */
-  async update(options: Partial<Options>): Promise<void> {
+  async update(options: GivenValues): Promise<void> {
     if (this.#next) await this.load(this.#next, options);
     else if (this.#source) await this.#run(() => this.#client.update(options));
   }
@@ -127,6 +151,20 @@ export class PlanMaker {
     throw new FloorPlanError('input/empty', 'There is no plan to export yet.', {
       hint: 'Load a scan first.',
     });
+  }
+
+  /** A stage's picture as SVG text; null where that run has none. @throws FloorPlanError */
+  picture(name: string, of: PictureOf): Promise<string | null> {
+    return this.#client.picture(name, of);
+  }
+
+  /** What other parameters make of the scan shown, beside its plan, which stays. @throws FloorPlanError */
+  compare(request: ComparisonRequest, onProgress: (progress: Progress) => void): Promise<Comparison> {
+    return this.#client.compare(request, onProgress);
+  }
+
+  stopComparing(): void {
+    this.#client.stopComparing();
   }
 
   /** Tells of something beside a run that failed; a run under way goes on. */
@@ -145,6 +183,7 @@ export class PlanMaker {
     const run = ++this.#runs;
     this.#isRunning = true;
     this.#error = null;
+    this.#evidence = null;
     this.#progress = null;
     this.#startedAt = performance.now();
     this.#events.onChange();
@@ -168,6 +207,7 @@ export class PlanMaker {
     this.#view = view;
     this.#isRunning = false;
     this.#error = null;
+    this.#failed = null;
     this.#progress = null;
     this.#events.onChange();
     this.#events.emit('plan-change', view.plan);
@@ -177,7 +217,10 @@ export class PlanMaker {
     this.#next = null;
     this.#isRunning = false;
     if (isCancelled(error)) this.dismiss();
-    else this.#tell(error);
+    else {
+      this.#failed = this.#evidence && { ...this.#evidence, error };
+      this.#tell(error);
+    }
   }
 
   #tell(error: Error): void {

@@ -5,6 +5,7 @@ import { makeExportMenu } from './export-menu.ts';
 import { icon } from './icon.ts';
 import { make, setAttribute } from './make.ts';
 import type { Actions, Panel } from './model.ts';
+import { makePresetPicker } from './preset-picker.ts';
 import { makeRunStatus } from './run-status.ts';
 import { makeStageRow } from './stage-row.ts';
 import { makeWarningsList } from './warnings-list.ts';
@@ -20,18 +21,27 @@ export function makeRail(actions: Actions): Panel {
     'Steps',
     icon('chevron'),
   );
-  const toggle = () => {
-    const isOpen = unfold.getAttribute('aria-expanded') !== 'true';
+  const toggle = () => unfoldTo(unfold.getAttribute('aria-expanded') !== 'true');
+  const unfoldTo = (isOpen: boolean) => {
     setAttribute(unfold, 'aria-expanded', String(isOpen));
     node.classList.toggle('is-open', isOpen);
   };
   const status = makeRunStatus(actions);
   const warnings = makeWarningsList();
-  const rows = STAGE_NAMES.map((stage) => makeStageRow(stage, actions));
+  // On a phone the rail lies over the picture it leads to.
+  const leading: Actions = {
+    ...actions,
+    showStep: (name) => {
+      unfoldTo(false);
+      actions.showStep(name);
+    },
+  };
+  const preset = makePresetPicker(actions);
+  const rows = STAGE_NAMES.map((stage) => makeStageRow(stage, leading));
   const exports = makeExportMenu(actions);
   const heading = make('div', { class: 'section-head' }, make('h2', {}, 'Steps'), undo, redo, reset);
   const stages = make('div', { class: 'stages' }, ...rows.map((row) => row.node));
-  const body = make('div', { class: 'rail-body' }, warnings.node, heading, stages);
+  const body = make('div', { class: 'rail-body' }, warnings.node, heading, preset.node, stages);
   const head = make('div', { class: 'rail-head' }, status.node, unfold);
   const node = make(
     'aside',
@@ -40,7 +50,7 @@ export function makeRail(actions: Actions): Panel {
     body,
     exports.node,
   );
-  const panels = [status, warnings, ...rows, exports];
+  const panels = [status, warnings, preset, ...rows, exports];
   return {
     node,
     show(model) {

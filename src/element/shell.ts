@@ -52,7 +52,9 @@ export class Shell {
   show(given: Model): void {
     this.#model = given;
     const isNarrow = this.node.clientWidth < NARROW;
-    const model = isNarrow && given.layout === 'split' ? { ...given, layout: '2d' as const } : given;
+    // A run that failed before there was a plan has pictures of its steps, but no model.
+    const isFlat = given.layout === 'split' && (isNarrow || (!given.view && given.steps.picture !== null));
+    const model = isFlat ? { ...given, layout: '2d' as const } : given;
     this.node.dataset.state = model.state;
     this.node.dataset.layout = model.layout;
     this.node.toggleAttribute('data-has-plan', model.view !== null);
@@ -65,6 +67,11 @@ export class Shell {
     if (this.#model?.view) return;
     this.#sheet.preview(positions);
     void this.#scene.preview(positions);
+  }
+
+  /** The keyboard goes to the step's picture. */
+  focusStep(): void {
+    this.#sheet.focusStep();
   }
 
   fit(): void {

@@ -7,6 +7,7 @@ import { makeLevelPicker } from './level-picker.ts';
 import { make, setAttribute, setText } from './make.ts';
 import type { Actions, Model, Panel } from './model.ts';
 import { makeStagePicture } from './stage-picture.ts';
+import { makeStepLink } from './step-link.ts';
 
 type Mark = 'waiting' | 'running' | 'done' | 'kept' | 'failed';
 
@@ -68,14 +69,15 @@ export function makeStageRow(stage: StageName, actions: Actions): Panel {
   };
 }
 
-/** The picture, the controls, and those for few behind one more line. */
+/** The way to its pictures, the small one, the controls, and those for few behind one more line. */
 function makeParts(stage: StageName, actions: Actions): Panel[] {
-  const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage);
+  // The preset stands above the stages: it holds for all of them.
+  const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage && name !== 'preset');
   const isAdvanced = (name: ParamName) => (PARAMS[name] as ParamRow).advanced === true;
   const main = names.filter((name) => !isAdvanced(name)).map((name) => controlOf(name, actions));
   const more = names.filter(isAdvanced).map((name) => controlOf(name, actions));
   const picture = makeStagePicture(stage);
-  const parts = [...(picture ? [picture] : []), ...main];
+  const parts = [makeStepLink(stage, actions), ...(picture ? [picture] : []), ...main];
   if (more.length === 0) return parts;
   const node = make(
     'details',
@@ -98,13 +100,14 @@ function controlOf(name: ParamName, actions: Actions): Panel {
   return PARAMS[name].kind === 'level' ? makeLevelPicker(actions) : makeControl(name, actions);
 }
 
-function markOf(stage: StageName, { state, progress, view }: Model): Mark {
+function markOf(stage: StageName, { state, progress, failed, view }: Model): Mark {
   if (state === 'loading') {
     const at = progress ? STAGE_NAMES.indexOf(progress.stage) : 0;
     const own = STAGE_NAMES.indexOf(stage);
     return own < at ? 'done' : own === at ? 'running' : 'waiting';
   }
-  if (state === 'failed' && progress?.stage === stage) return 'failed';
+  // Progress is told thirty times a second; a run that fails at once has told less than its error knows.
+  if (state === 'failed' && (failed ?? progress)?.stage === stage) return 'failed';
   const report = view?.stages.find(({ name }) => name === stage);
   if (!report) return 'waiting';
   return report.isCached ? 'kept' : 'done';

@@ -1,13 +1,21 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { resolveOptions } from '../core/options.ts';
-import type { Options } from '../core/params.ts';
+import type { GivenValues } from '../core/params.ts';
 import { planScan } from '../core/pipeline.ts';
-import { type PipelineHooks, PipelineRun, type RunControl, StageCache } from '../core/pipeline-run.ts';
+import {
+  type PipelineHooks,
+  PipelineRun,
+  type RunControl,
+  StageCache,
+  type StageReport,
+} from '../core/pipeline-run.ts';
 import type { StageResults } from '../core/stage-results.ts';
+import type { StageName } from '../core/stages.ts';
 import { readScan } from '../read/read-scan.ts';
 import type { ByteSource } from '../read/source.ts';
 import { makeSolid } from '../solid/make-solid.ts';
 import { writeFiles } from '../write/formats.ts';
+import { drawPicture, PICTURES, type PictureFacts, type PictureName } from '../write/pictures.ts';
 import type { Product, WrittenFile } from '../write/plan-writer.ts';
 import { DEFAULT_HOOKS } from './default-hooks.ts';
 import type { RunResult } from './result.ts';
@@ -21,6 +29,15 @@ export interface SessionControl extends RunControl {
 interface OpenSource {
   readonly source: ByteSource;
   readonly cache: StageCache;
+  /** What each stage last took, ms. */
+  readonly times: Map<StageName, number>;
+}
+
+/** The session's last own run, good or failed. */
+interface LastRun {
+  readonly run: PipelineRun;
+  readonly given: GivenValues;
+  readonly times: ReadonlyMap<StageName, number>;
 }
 
 /**
@@ -32,7 +49,7 @@ export class Session {
   readonly #hooks: PipelineHooks;
   #open: OpenSource | null = null;
   #result: RunResult | null = null;
-  #evidence: Partial<StageResults> = {};
+  #last: LastRun | null = null;
 
   /** @param hooks what the environment does better than its defaults: a clock, a canvas, a pause between stages */
   constructor(hooks: Partial<PipelineHooks> = {}) {
@@ -46,27 +63,49 @@ export class Session {
 
   /** What the stages of the last run made, as far as it got: a run that failed has those before the failing stage. */
   get evidence(): Partial<StageResults> {
-    return this.#evidence;
+    return this.#last?.run.results ?? {};
+  }
+
+  /** The stages of the last run, as far as it got. */
+  get reports(): readonly StageReport[] {
+    return this.#last?.run.stages ?? [];
   }
 
   /** Reads a scan and makes its plan. @throws FloorPlanError */
-  async load(
-    source: ByteSource,
-    given: Partial<Options> = {},
-    control: SessionControl = {},
-  ): Promise<RunResult> {
-    const opened = { source, cache: new StageCache() };
-    const result = await this.#run(opened, given, control);
+  async load(source: ByteSource, given: GivenValues = {}, control: SessionControl = {}): Promise<RunResult> {
+    const opened = { source, cache: new StageCache(), times: new Map<StageName, number>() };
+    const result = await this.#runOwn(opened, given, control);
     this.#open = opened;
     this.#result = result;
     return result;
   }
 
   /** Makes the plan again, from the first stage whose parameters changed. @throws FloorPlanError */
-  async update(given: Partial<Options>, control: SessionControl = {}): Promise<RunResult> {
+  async update(given: GivenValues, control: SessionControl = {}): Promise<RunResult> {
     if (!this.#open) throw noScan();
-    this.#result = await this.#run(this.#open, given, control);
+    this.#result = await this.#runOwn(this.#open, given, control);
     return this.#result;
+  }
+
+  /**
+   * What other options would make of the scan, beside the plan at hand, which stays. Stages before the first that
+   * differs are taken from the cache; nothing of the other run is put there. @throws FloorPlanError
+   *
+   * @param given all options of the other run, as for {@link update}
+   */
+  async compare(given: GivenValues, control: SessionControl = {}): Promise<RunResult> {
+    if (!this.#open) throw noScan();
+    const { source, cache } = this.#open;
+    return this.#run(source, given, new PipelineRun(cache.fork(), this.#hooks, control), control);
+  }
+
+  /** A picture of the last run as SVG, with its stage's time; null where the run did not get so far. */
+  picture(name: PictureName, facts: PictureFacts = {}): string | null {
+    if (!this.#last) return null;
+    const { run, given, times } = this.#last;
+    const ms = times.get(PICTURES[name].stage);
+    const options = run.results.read && resolveOptions(given, run.results.read);
+    return drawPicture(name, run.results, { ...(ms && { ms }), ...(options && { options }), ...facts });
   }
 
   /** The files of one write format. @throws option/invalid for an unknown format */
@@ -75,13 +114,27 @@ export class Session {
     return writeFiles(productOf(this.#result), format);
   }
 
-  async #run(
-    { source, cache }: OpenSource,
-    given: Partial<Options>,
+  /** A run that leaves its evidence, however far it gets. */
+  async #runOwn(
+    { source, cache, times }: OpenSource,
+    given: GivenValues,
     control: SessionControl,
   ): Promise<RunResult> {
     const run = new PipelineRun(cache, this.#hooks, control);
-    this.#evidence = run.results;
+    this.#last = { run, given, times };
+    try {
+      return await this.#run(source, given, run, control);
+    } finally {
+      for (const { name, ms, isCached } of run.stages) if (!isCached) times.set(name, ms);
+    }
+  }
+
+  async #run(
+    source: ByteSource,
+    given: GivenValues,
+    run: PipelineRun,
+    control: SessionControl,
+  ): Promise<RunResult> {
     const readOptions = resolveOptions(given);
     const scan = await run.stage(
       'read',
@@ -107,13 +160,14 @@ export class Session {
       ({ warn }) => makeSolid(planned.plan, options, warn),
       ({ indices }) => `${(indices.length / 3).toLocaleString('en-GB')} triangles`,
     );
-    return { ...planned, options, scan, solid, stages: run.stages, warnings: run.warnings };
+    const results = run.results as StageResults;
+    return { ...planned, options, scan, solid, results, stages: run.stages, warnings: run.warnings };
   }
 }
 
 /** What the writers draw on. */
-export function productOf({ scan, plan, slice, solid }: RunResult): Product {
-  return { name: baseName(scan.facts.name), plan, slice, solid };
+export function productOf({ scan, plan, slice, solid, results }: RunResult): Product {
+  return { name: baseName(scan.facts.name), plan, slice, solid, results };
 }
 
 /** `scan.ply.gz` → `scan`; a name that is all extension stays. */

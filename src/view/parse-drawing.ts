@@ -28,30 +28,45 @@ const SVG = 'http://www.w3.org/2000/svg';
 /** Maps plan metres to millimetres on the sheet: x′ = a·x + c·y + e, y′ = b·x + d·y + f. */
 export type SheetTransform = readonly [a: number, b: number, c: number, d: number, e: number, f: number];
 
-export interface Drawing {
+/** A picture as nodes of this document. */
+export interface Picture {
   readonly svg: SVGSVGElement;
-  readonly planToSheet: SheetTransform;
-  /** Size of the sheet, mm. */
+  /** Size of its view box. */
   readonly width: number;
   readonly height: number;
 }
 
+/** A picture of the plan's sheet; sizes in mm. */
+export interface Drawing extends Picture {
+  readonly planToSheet: SheetTransform;
+}
+
 /**
- * Turns exported SVG text into nodes of this document, without `innerHTML`.
+ * Turns SVG text this program has written into nodes of this document, without `innerHTML`.
  *
- * @throws input/malformed where the text is no SVG, holds anything but shapes and text, or lacks the plan transform
+ * @throws input/malformed where the text is no SVG or holds anything but shapes and text
  */
-export function parseDrawing(text: string): Drawing {
+export function parsePicture(text: string): Picture {
   const parsed = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
   if (parsed.localName !== 'svg' || parsed.namespaceURI !== SVG)
     throw refused('the root is not an svg element');
   refuseForeign(parsed);
   const svg = document.importNode(parsed, true) as unknown as SVGSVGElement;
-  const numbers = (svg.dataset.planToSheet ?? '').trim().split(/\s+/).map(Number);
+  const { width, height } = svg.viewBox.baseVal;
+  return { svg, width, height };
+}
+
+/**
+ * The drawing of a plan, as {@link parsePicture} turns it into nodes.
+ *
+ * @throws input/malformed as there, or where the plan transform is missing
+ */
+export function parseDrawing(text: string): Drawing {
+  const picture = parsePicture(text);
+  const numbers = (picture.svg.dataset.planToSheet ?? '').trim().split(/\s+/).map(Number);
   if (numbers.length !== 6 || !numbers.every(Number.isFinite))
     throw refused('data-plan-to-sheet is not six numbers');
-  const { width, height } = svg.viewBox.baseVal;
-  return { svg, planToSheet: numbers as unknown as SheetTransform, width, height };
+  return { ...picture, planToSheet: numbers as unknown as SheetTransform };
 }
 
 function refuseForeign(root: Element): void {

@@ -21,6 +21,12 @@ export function inkWord(colour: string, alpha: number): number {
   return ((Math.round(255 * alpha) << 24) | (b << 16) | (g << 8) | r) >>> 0;
 }
 
+/** `#0072B2` as an opaque word. */
+export function hexWord(colour: string): number {
+  const rgb = Number.parseInt(colour.slice(1), 16);
+  return (0xff000000 | ((rgb & 255) << 16) | (rgb & 0xff00) | (rgb >> 16)) >>> 0;
+}
+
 /**
  * Shows a picture on a canvas.
  *

@@ -1,5 +1,5 @@
 import { BufferAttribute, BufferGeometry, type Plane, Points, PointsMaterial } from 'three';
-import { viridis } from './viridis.ts';
+import { viridis } from '../write/pictures/viridis.ts';
 
 /** Size of a point, px. */
 const POINT_SIZE = 1.6;

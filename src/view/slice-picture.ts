@@ -1,19 +1,10 @@
-import { blankPixels, dot, inkWord, showPixels } from './pixels.ts';
+import { OKABE_ITO } from '../write/pictures/palette.ts';
+import { blankPixels, dot, hexWord, inkWord, showPixels } from './pixels.ts';
 
-/** Okabe and Ito's palette: told apart with any kind of colour vision. */
-const OKABE_ITO = [
-  'rgb(0 114 178)',
-  'rgb(230 159 0)',
-  'rgb(0 158 115)',
-  'rgb(204 121 167)',
-  'rgb(86 180 233)',
-  'rgb(213 94 0)',
-  'rgb(240 228 66)',
-  'rgb(153 153 153)',
-].map((colour) => inkWord(colour, 1));
 /** More points than this look the same in a small picture. */
 const MOST_POINTS = 20_000;
 const MARGIN = 4;
+const GROUP_INKS = OKABE_ITO.map(hexWord);
 
 /**
  * A small picture of a slice seen from above, in ink or with each group in its colour.
@@ -36,7 +27,7 @@ export function drawSlice(canvas: HTMLCanvasElement, xy: Float64Array, groups?: 
   for (let i = 0; i < xy.length / 2; i += step) {
     const x = Math.floor(width / 2 + scale * (xy[2 * i] - (low[0] + high[0]) / 2));
     const y = Math.floor(height / 2 - scale * (xy[2 * i + 1] - (low[1] + high[1]) / 2));
-    dot(pixels, x, y, Math.round(ratio), groups ? OKABE_ITO[groups[i] % OKABE_ITO.length] : ink);
+    dot(pixels, x, y, Math.round(ratio), groups ? GROUP_INKS[groups[i] % GROUP_INKS.length] : ink);
   }
   return showPixels(canvas, pixels);
 }

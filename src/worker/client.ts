@@ -1,30 +1,44 @@
 import { FloorPlanError, fromPlainError } from '../core/errors.ts';
-import type { Options } from '../core/params.ts';
+import type { GivenValues } from '../core/params.ts';
 import type { Progress } from '../core/pipeline-run.ts';
 import type { Warning } from '../core/types.ts';
-import type { ExportedFile, PlanView, Request, Response } from './protocol.ts';
+import type {
+  Comparison,
+  ComparisonRequest,
+  Evidence,
+  ExportedFile,
+  PictureOf,
+  PlanView,
+  Request,
+  Response,
+} from './protocol.ts';
 import { type Line, openMainThread, openWorker, type Spawn, spawnOrder } from './spawn.ts';
 
 export interface ClientEvents {
   onProgress?(progress: Progress): void;
   /** A sample of the points read so far: source units, relative to the first point. */
   onPreview?(positions: Float32Array): void;
+  /** A load or an update failed after some stages. */
+  onEvidence?(evidence: Evidence): void;
   /** How the page itself makes the worker; asked when the first one is needed. */
   spawnWorker?(): Spawn | null;
   /** The environment gave less than hoped for, e.g. no worker. */
   onWarning?(warning: Warning): void;
 }
 
+type Answer = PlanView | readonly ExportedFile[] | Comparison | string | null;
+
 interface Pending {
   readonly request: Request;
-  resolve(answer: PlanView | readonly ExportedFile[]): void;
+  resolve(answer: Answer): void;
   reject(error: unknown): void;
+  readonly onProgress: ((progress: Progress) => void) | undefined;
 }
 
 interface Loaded {
   readonly source: Blob | string;
   readonly name: string;
-  options: Partial<Options>;
+  options: GivenValues;
 }
 
 type RequestBody = Request extends infer R ? (R extends Request ? Omit<R, 'id'> : never) : never;
@@ -52,23 +66,23 @@ export class PlanClient {
   }
 
   /** Reads a scan and makes its plan; a URL is taken relative to the page. @throws FloorPlanError */
-  async load(source: Blob | string, name: string, options: Partial<Options> = {}): Promise<PlanView> {
+  async load(source: Blob | string, name: string, options: GivenValues = {}): Promise<PlanView> {
     if (this.#isRunning) this.cancel();
     const absolute = typeof source === 'string' ? new URL(source, globalThis.document?.baseURI).href : source;
     const loading = { source: absolute, name, options };
-    const view = await this.#ask<PlanView>({ kind: 'load', ...loading });
+    const view = await this.#ask<PlanView>({ kind: 'load', ...loading }, this.#events.onProgress);
     this.#loaded = loading;
     this.#holdsLoaded = true;
     return view;
   }
 
   /** Makes the plan again with other options, from the first stage they touch. @throws FloorPlanError */
-  async update(options: Partial<Options>): Promise<PlanView> {
+  async update(options: GivenValues): Promise<PlanView> {
     if (!this.#loaded)
       throw new FloorPlanError('input/empty', 'There is no scan yet.', { hint: 'Load one first.' });
     this.#overtake();
     const view = this.#holdsLoaded
-      ? await this.#ask<PlanView>({ kind: 'update', options })
+      ? await this.#ask<PlanView>({ kind: 'update', options }, this.#events.onProgress)
       : await this.load(this.#loaded.source, this.#loaded.name, options);
     this.#loaded.options = options;
     return view;
@@ -76,11 +90,35 @@ export class PlanClient {
 
   /** Files of one write format, several for a building of several storeys. @throws FloorPlanError */
   async export(format: string): Promise<readonly ExportedFile[]> {
-    if (this.#loaded && !this.#holdsLoaded && !this.#isRunning) {
-      const { source, name, options } = this.#loaded;
-      await this.load(source, name, options);
-    }
+    await this.#hold();
     return this.#ask<readonly ExportedFile[]>({ kind: 'export', format });
+  }
+
+  /** A stage's picture as SVG text, or null where that run has none. @throws FloorPlanError */
+  async picture(name: string, of: PictureOf): Promise<string | null> {
+    await this.#hold();
+    return this.#ask<string | null>({ kind: 'picture', name, of });
+  }
+
+  /**
+   * Puts what other options make of the scan beside its plan, which stays as it is. A newer comparison overtakes.
+   *
+   * @throws FloorPlanError, `cancelled` among them
+   */
+  async compare(request: ComparisonRequest, onProgress?: (progress: Progress) => void): Promise<Comparison> {
+    this.stopComparing();
+    await this.#hold();
+    return this.#ask<Comparison>({ kind: 'compare', ...request }, onProgress);
+  }
+
+  /** Ends the comparison under way, which rejects with `cancelled`; nothing else is touched. */
+  stopComparing(): void {
+    for (const [id, { request, reject }] of this.#pending) {
+      if (request.kind !== 'compare') continue;
+      this.#pending.delete(id);
+      if (this.#isReady) this.#line?.send({ kind: 'stop', id });
+      reject(new FloorPlanError('cancelled', 'The comparison was stopped.'));
+    }
   }
 
   /** Stops at once; pending calls reject with `cancelled`; the last plan can still be updated and exported. */
@@ -90,13 +128,20 @@ export class PlanClient {
   }
 
   get #isRunning(): boolean {
-    return [...this.#pending.values()].some(({ request }) => request.kind !== 'export');
+    return [...this.#pending.values()].some(({ request: { kind } }) => kind === 'load' || kind === 'update');
   }
 
-  #ask<Answer extends PlanView | readonly ExportedFile[]>(body: RequestBody): Promise<Answer> {
+  /** Reads the scan shown again where the worker that held it has ended. */
+  async #hold(): Promise<void> {
+    if (!this.#loaded || this.#holdsLoaded || this.#isRunning) return;
+    const { source, name, options } = this.#loaded;
+    await this.load(source, name, options);
+  }
+
+  #ask<Given extends Answer>(body: RequestBody, onProgress?: Pending['onProgress']): Promise<Given> {
     const request: Request = { ...body, id: ++this.#lastId };
     return new Promise((resolve, reject) => {
-      this.#pending.set(request.id, { request, resolve: resolve as Pending['resolve'], reject });
+      this.#pending.set(request.id, { request, resolve: resolve as Pending['resolve'], reject, onProgress });
       if (!this.#line) this.#open();
       else if (this.#isReady) this.#line.send(request);
     });
@@ -168,16 +213,26 @@ export class PlanClient {
     if (!pending) return;
     switch (response.kind) {
       case 'progress':
-        this.#events.onProgress?.(response.progress);
+        pending.onProgress?.(response.progress);
         return;
       case 'preview':
         this.#events.onPreview?.(response.positions);
         return;
       case 'error':
+        if (response.evidence) this.#events.onEvidence?.(response.evidence);
         pending.reject(fromPlainError(response.error));
         break;
-      default:
-        pending.resolve(response.kind === 'view' ? response.view : response.files);
+      case 'view':
+        pending.resolve(response.view);
+        break;
+      case 'files':
+        pending.resolve(response.files);
+        break;
+      case 'picture':
+        pending.resolve(response.svg);
+        break;
+      case 'comparison':
+        pending.resolve(response.comparison);
     }
     this.#pending.delete(response.id);
   }

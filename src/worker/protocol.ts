@@ -1,6 +1,7 @@
 import type { PlainError } from '../core/errors.ts';
-import type { Options } from '../core/params.ts';
+import type { GivenValues, Options } from '../core/params.ts';
 import type { Progress, StageReport } from '../core/pipeline-run.ts';
+import type { StageName } from '../core/stages.ts';
 import type { FloorPlan, Level, SecondaryResult, Slice, Solid } from '../core/types.ts';
 import type { Report } from '../session/report.ts';
 
@@ -18,6 +19,60 @@ export interface PlanView {
   readonly secondary: SecondaryResult;
   readonly stages: readonly StageReport[];
   readonly report: Report;
+  readonly pictures: readonly PictureFacts[];
+}
+
+/** A picture of a stage that can be asked for. */
+export interface PictureFacts {
+  readonly name: string;
+  /** Name of its file. */
+  readonly file: string;
+  readonly stage: StageName;
+  readonly label: string;
+  /** What it shows, one sentence. */
+  readonly doc: string;
+  /** The figure of the paper it corresponds to, or `ours`. */
+  readonly figure: string;
+  /** What came out, in words. */
+  readonly outcome: string;
+  /** Of its stage, when it last ran. */
+  readonly ms: number;
+}
+
+/** How far a run that failed got. */
+export interface Evidence {
+  /** The stage that failed. */
+  readonly stage: StageName;
+  /** Of the stages before the failing one. */
+  readonly pictures: readonly PictureFacts[];
+}
+
+/** Whose picture: of the plan shown, or of the run that failed after it. */
+export type PictureOf = 'plan' | 'failed';
+
+/** What is asked of a comparison. */
+export type ComparisonRequest = Pick<Extract<Request, { kind: 'compare' }>, 'options' | 'labels'>;
+
+/** The plan shown beside what other parameters make of the same scan. */
+export interface Comparison {
+  readonly overlaid: string;
+  readonly beside: string;
+  /** Whose figures follow: the primary boundaries', or where these are the same the secondary ones'. */
+  readonly subject: 'primary' | 'secondary';
+  readonly here: ComparedPlan;
+  readonly there: ComparedPlan;
+  /** Intersection over union. */
+  readonly iou: number;
+  /** 95 % of either outline lie within this of the other, m; infinite where only one has an outline. */
+  readonly distance: number;
+}
+
+export interface ComparedPlan {
+  readonly vertices: number;
+  readonly areaM2: number;
+  readonly triangles: number;
+  /** Of the stages that make the two differ. */
+  readonly ms: number;
 }
 
 export interface CloudView {
@@ -40,10 +95,21 @@ export type Request =
       readonly id: number;
       readonly source: Blob | string;
       readonly name: string;
-      readonly options: Partial<Options>;
+      readonly options: GivenValues;
     }
-  | { readonly kind: 'update'; readonly id: number; readonly options: Partial<Options> }
-  | { readonly kind: 'export'; readonly id: number; readonly format: string };
+  | { readonly kind: 'update'; readonly id: number; readonly options: GivenValues }
+  | { readonly kind: 'export'; readonly id: number; readonly format: string }
+  | { readonly kind: 'picture'; readonly id: number; readonly name: string; readonly of: PictureOf }
+  /** What other parameters make of the scan; the plan shown stays. */
+  | {
+      readonly kind: 'compare';
+      readonly id: number;
+      readonly options: GivenValues;
+      /** What the plan shown and the other are called. */
+      readonly labels: readonly [here: string, there: string];
+    }
+  /** Ends the comparison of this id. */
+  | { readonly kind: 'stop'; readonly id: number };
 
 /** Worker → page. */
 export type Response =
@@ -57,4 +123,13 @@ export type Response =
       readonly id: number;
       readonly files: readonly ExportedFile[];
     }
-  | { readonly kind: 'error'; readonly id: number; readonly error: PlainError };
+  /** Null where that run has no such picture. */
+  | { readonly kind: 'picture'; readonly id: number; readonly svg: string | null }
+  | { readonly kind: 'comparison'; readonly id: number; readonly comparison: Comparison }
+  /** `evidence` of a load or an update. */
+  | {
+      readonly kind: 'error';
+      readonly id: number;
+      readonly error: PlainError;
+      readonly evidence?: Evidence;
+    };

@@ -1,63 +1,136 @@
 import { FloorPlanError, toPlainError } from '../core/errors.ts';
+import type { StageResults } from '../core/stage-results.ts';
+import { STAGE_NAMES, type StageName } from '../core/stages.ts';
 import { blobSource } from '../read/blob-source.ts';
 import { urlSource } from '../read/url-source.ts';
 import { Session, type SessionControl } from '../session/session.ts';
-import type { Request, Response } from './protocol.ts';
+import { compareRuns } from './compare-runs.ts';
+import { PictureDesk } from './picture-desk.ts';
+import type { PictureOf, Request, Response } from './protocol.ts';
 import { makeView } from './view.ts';
 
 type Post = (response: Response, transfer?: Transferable[]) => void;
+type Run = Extract<Request, { kind: 'load' | 'update' }>;
+type Compare = Extract<Request, { kind: 'compare' }>;
 
 /** Least time between two progress messages of one request, ms: 30 a second read as motion. */
 const PROGRESS_INTERVAL = 33;
 
 /**
  * Answers requests with one {@link Session}; in a worker or, where none can be had, on the page's own thread.
- * A newer load or update overtakes the running one, which then answers `cancelled`.
+ * A newer load or update overtakes the running one and any comparison, a newer comparison the one before; what is
+ * overtaken answers `cancelled`.
  *
- * @param ended ends the running request, on a thread that nobody can end
+ * @param ended ends what is under way, on a thread that nobody can end
  * @returns the receiver of requests
  */
 export function serve(post: Post, ended?: AbortSignal): (request: Request) => void {
-  const session = new Session({ breathe });
+  const desk = new Desk(post);
   let running = new AbortController();
+  let comparing = { id: 0, controller: new AbortController() };
   let last: Promise<void> = Promise.resolve();
-  ended?.addEventListener('abort', () => running.abort());
-
-  async function run(request: Exclude<Request, { kind: 'export' }>, signal: AbortSignal): Promise<void> {
-    const control = controlOf(request.id, signal, post);
-    const start = performance.now();
-    if (request.kind === 'load') {
-      const { source, name } = request;
-      await session.load(
-        typeof source === 'string' ? urlSource(source) : blobSource(source, name),
-        request.options,
-        control,
-      );
-    } else {
-      await session.update(request.options, control);
-    }
-    if (signal.aborted) throw new FloorPlanError('cancelled', 'A newer request overtook this one.');
-    const { view, transfer } = makeView(session, performance.now() - start);
-    post({ kind: 'view', id: request.id, view }, transfer);
-  }
-
-  function write(id: number, format: string): void {
-    const files = session
-      .write(format)
-      .map(({ name, mime, content }) => ({ name, blob: new Blob([content], { type: mime }) }));
-    post({ kind: 'files', id, files });
-  }
-
+  ended?.addEventListener('abort', () => {
+    running.abort();
+    comparing.controller.abort();
+  });
   return (request) => {
-    if (request.kind !== 'export') {
+    if (request.kind === 'stop') {
+      if (request.id === comparing.id) comparing.controller.abort();
+      return;
+    }
+    const isRun = request.kind === 'load' || request.kind === 'update';
+    if (isRun || request.kind === 'compare') comparing.controller.abort();
+    if (isRun) {
       running.abort();
       running = new AbortController();
     }
-    const { signal } = running;
+    if (request.kind === 'compare') comparing = { id: request.id, controller: new AbortController() };
+    const { signal } = request.kind === 'compare' ? comparing.controller : running;
     last = last
-      .then(() => (request.kind === 'export' ? write(request.id, request.format) : run(request, signal)))
+      .then(() => desk.answer(request, signal))
       .catch((error: unknown) => post({ kind: 'error', id: request.id, error: toPlainError(error) }));
   };
+}
+
+/** The session with what the page asks of it beside runs. */
+class Desk {
+  readonly #post: Post;
+  readonly #session = new Session({ breathe });
+  readonly #pictures = new PictureDesk();
+  readonly #results: Record<PictureOf, Partial<StageResults>> = { plan: {}, failed: {} };
+
+  constructor(post: Post) {
+    this.#post = post;
+  }
+
+  async answer(request: Exclude<Request, { kind: 'stop' }>, signal: AbortSignal): Promise<void> {
+    const { id } = request;
+    switch (request.kind) {
+      case 'load':
+      case 'update':
+        return this.#run(request, signal);
+      case 'compare':
+        return this.#compare(request, signal);
+      case 'picture': {
+        const svg = this.#pictures.draw(request.name, this.#results[request.of]);
+        return this.#post({ kind: 'picture', id, svg });
+      }
+      case 'export': {
+        const files = this.#session
+          .write(request.format)
+          .map(({ name, mime, content }) => ({ name, blob: new Blob([content], { type: mime }) }));
+        return this.#post({ kind: 'files', id, files });
+      }
+    }
+  }
+
+  /** A run that fails tells with its error what its stages made; one that was stopped tells nothing. */
+  async #run(request: Run, signal: AbortSignal): Promise<void> {
+    const start = performance.now();
+    try {
+      await this.#make(request, controlOf(request.id, signal, this.#post));
+      throwIfAborted(signal);
+    } catch (error) {
+      if (error instanceof FloorPlanError && error.code === 'cancelled') throw error;
+      this.#results.failed = this.#session.evidence;
+      const { reports } = this.#session;
+      const pictures = this.#pictures.list(this.#results.failed, reports);
+      const evidence = { stage: STAGE_NAMES[reports.length], pictures };
+      return this.#post({ kind: 'error', id: request.id, error: toPlainError(error), evidence });
+    }
+    const totalMs = performance.now() - start;
+    this.#results.plan = this.#session.evidence;
+    this.#results.failed = {};
+    const pictures = this.#pictures.list(this.#results.plan, this.#session.reports);
+    const { view, transfer } = makeView(this.#session, pictures, totalMs);
+    this.#post({ kind: 'view', id: request.id, view }, transfer);
+  }
+
+  async #make(request: Run, control: SessionControl): Promise<void> {
+    if (request.kind === 'update') {
+      await this.#session.update(request.options, control);
+      return;
+    }
+    const { source, name, options } = request;
+    const bytes = typeof source === 'string' ? urlSource(source) : blobSource(source, name);
+    await this.#session.load(bytes, options, control);
+  }
+
+  async #compare({ id, options, labels }: Compare, signal: AbortSignal): Promise<void> {
+    // Asked for before it was stopped, begun after.
+    throwIfAborted(signal);
+    const there = await this.#session.compare(options, controlOf(id, signal, this.#post));
+    throwIfAborted(signal);
+    // The session compares only where there is a plan, so every stage has its result.
+    const here = this.#results.plan as StageResults;
+    const timeOf = (stage: StageName) => this.#pictures.timeOf(stage);
+    const comparison = compareRuns({ labels, here, there, timeOf });
+    this.#post({ kind: 'comparison', id, comparison });
+  }
+}
+
+function throwIfAborted({ aborted }: AbortSignal): void {
+  if (aborted) throw new FloorPlanError('cancelled', 'A newer request overtook this one.');
 }
 
 function controlOf(id: number, signal: AbortSignal, post: Post): SessionControl {

@@ -1,13 +1,17 @@
 import type { PointCloud } from '../core/types.ts';
 import { makeReport } from '../session/report.ts';
 import type { Session } from '../session/session.ts';
-import type { CloudView, PlanView } from './protocol.ts';
+import type { CloudView, PictureFacts, PlanView } from './protocol.ts';
 
 /** More points than this no screen tells apart, and a software renderer still draws them in one frame. */
 const CLOUD_POINTS = 300_000;
 
 /** What the page is sent of a session's last run. The session keeps its own arrays: only copies are transferred. */
-export function makeView(session: Session, totalMs: number): { view: PlanView; transfer: Transferable[] } {
+export function makeView(
+  session: Session,
+  pictures: readonly PictureFacts[],
+  totalMs: number,
+): { view: PlanView; transfer: Transferable[] } {
   const result = session.result!;
   const { options, plan, solid, slice, levels, secondary, stages } = result;
   const cloud = sampleCloud(result.cloud);
@@ -23,6 +27,7 @@ export function makeView(session: Session, totalMs: number): { view: PlanView; t
     secondary,
     stages,
     report: makeReport(result, totalMs),
+    pictures,
   };
   const buffers = cloud.colour ? [cloud.positions.buffer, cloud.colour.buffer] : [cloud.positions.buffer];
   return { view, transfer: buffers as ArrayBuffer[] };

@@ -4,6 +4,7 @@ import { writeFrameJson } from './frame-json.ts';
 import { writeGeoJson } from './geojson.ts';
 import { writeGlb } from './glb.ts';
 import { writeMinimalSvg } from './minimal-svg.ts';
+import { writePictures } from './pictures.ts';
 import { writePlanJson } from './plan-json.ts';
 import type { Product, WriteFormat, WrittenFile } from './plan-writer.ts';
 import { writeRoomsCsv } from './rooms-csv.ts';
@@ -93,6 +94,14 @@ export const WRITE_FORMATS = {
     base: 'rooms',
     write: writeRoomsCsv,
   },
+  pictures: {
+    label: 'Stage pictures',
+    doc: 'What every stage made, a captioned SVG each: picture-01-cloud.svg to picture-14-model.svg.',
+    extension: 'svg',
+    mime: 'image/svg+xml',
+    isOnRequest: true,
+    writeAll: writePictures,
+  },
 } as const satisfies Record<string, WriteFormat>;
 
 export type WriteFormatName = keyof typeof WRITE_FORMATS;
@@ -106,7 +115,8 @@ export const SIDECARS: Partial<Record<WriteFormatName, readonly WriteFormatName[
 };
 
 /**
- * Writes a plan as the files of one format: one, or for drawn formats of a building of several storeys one a storey.
+ * Writes a plan as the files of one format: one, for drawn formats of a building of several storeys one a storey, for
+ * pictures one a picture.
  *
  * @throws option/invalid for a name that is no format
  */
@@ -122,6 +132,7 @@ export function writeFiles(product: Product, format: string): WrittenFile[] {
     );
   }
   const row: WriteFormat = WRITE_FORMATS[format as WriteFormatName];
+  if ('writeAll' in row) return [...row.writeAll(product)];
   const count = product.plan.storeys.length;
   if (!row.isPerStorey || count === 1) {
     return [{ name: `${row.base}.${row.extension}`, mime: row.mime, content: row.write(product, 0) }];

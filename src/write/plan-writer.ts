@@ -1,3 +1,4 @@
+import type { StageResults } from '../core/stage-results.ts';
 import type { FloorPlan, Scan, Slice, Solid } from '../core/types.ts';
 
 /** All that writers may draw on; made by one run of the pipeline. */
@@ -7,6 +8,8 @@ export interface Product {
   readonly plan: FloorPlan;
   readonly slice: Slice;
   readonly solid: Solid;
+  /** What the stages made, for their pictures. */
+  readonly results: Partial<StageResults>;
 }
 
 /** A file to be saved: its name within the output folder and its content. */
@@ -16,18 +19,31 @@ export interface WrittenFile {
   readonly content: string | Uint8Array<ArrayBuffer>;
 }
 
-/** A row of WRITE_FORMATS, keyed by the name used in `--formats` and `export(format)`. */
-export interface WriteFormat {
+interface FormatFacts {
   readonly label: string;
   readonly doc: string;
   readonly extension: string;
   readonly mime: string;
+  /** The command writes it only when `--formats` names it. */
+  readonly isOnRequest?: boolean;
+}
+
+/** A format of one file, or under a building of several storeys one a storey. */
+export interface FileFormat extends FormatFacts {
   /** Under a building of several storeys the file is written once a storey: plan-0.svg, plan-1.svg … */
   readonly isPerStorey: boolean;
   /** Base name of the file: plan, slice, rooms … */
   readonly base: string;
   /** @param storey index of the storey where the format is per storey, else 0 */
-  write(product: Product, storey: number): string | Uint8Array<ArrayBuffer>;
+  write(product: Product, storey: number): WrittenFile['content'];
 }
+
+/** A format of as many files as the product gives. */
+export interface FileSetFormat extends FormatFacts {
+  writeAll(product: Product): readonly WrittenFile[];
+}
+
+/** A row of WRITE_FORMATS, keyed by the name used in `--formats` and `export(format)`. */
+export type WriteFormat = FileFormat | FileSetFormat;
 
 export type { FloorPlan, Scan };

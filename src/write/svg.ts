@@ -12,7 +12,7 @@ import {
   type SheetText,
   TEXT_SIZES,
 } from './sheet.ts';
-import { escapeXml } from './xml.ts';
+import { attributes, escapeXml } from './xml.ts';
 
 /** Decimals of a millimetre on the sheet: a hundredth of a millimetre in the building at 1:100. */
 const DIGITS = 4;
@@ -112,12 +112,3 @@ function pathData(line: Float64Array, isClosed: boolean): string {
 }
 
 const mm = (value: number): string => decimal(value, DIGITS);
-
-/** Attributes in the order given, those that are undefined left out. */
-function attributes(values: Readonly<Record<string, string | number | undefined>>): string {
-  let text = '';
-  for (const [name, value] of Object.entries(values)) {
-    if (value !== undefined) text += ` ${name}="${escapeXml(String(value))}"`;
-  }
-  return text;
-}

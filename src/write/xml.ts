@@ -14,6 +14,15 @@ export function escapeXml(text: string): string {
   return safe;
 }
 
+/** Attributes in the order given, those that are undefined left out. */
+export function attributes(values: Readonly<Record<string, string | number | undefined>>): string {
+  let text = '';
+  for (const [name, value] of Object.entries(values)) {
+    if (value !== undefined) text += ` ${name}="${escapeXml(String(value))}"`;
+  }
+  return text;
+}
+
 /** [XML] §2.2 Char, without the C1 controls; tab and line breaks count as allowed. */
 function isAllowed(code: number): boolean {
   if (code < 0x20) return code === 0x9 || code === 0xa || code === 0xd;

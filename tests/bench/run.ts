@@ -5,6 +5,7 @@
 import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { cacheFolder } from './clouds.ts';
+import { benchHull } from './hull.ts';
 import { benchMemory } from './memory.ts';
 import { benchPage } from './page.ts';
 import { benchPaperSlice } from './paper-slice.ts';
@@ -17,12 +18,15 @@ export interface Figure {
   readonly value: number;
   readonly unit: string;
   readonly note?: string;
+  /** It was stopped there: the true value is larger. */
+  readonly isLeast?: boolean;
 }
 
 const benches: Record<string, () => Promise<readonly Figure[]>> = {
   stages: benchStages,
   reading: benchReading,
   'paper-slice': benchPaperSlice,
+  hull: benchHull,
   memory: benchMemory,
   page: benchPage,
 };
@@ -35,8 +39,9 @@ const results: Record<string, readonly Figure[]> = {};
 for (const name of chosen.length > 0 ? chosen : Object.keys(benches)) {
   console.log(`\n${name}`);
   results[name] = await benches[name]();
-  for (const { name: figure, value, unit, note = '' } of results[name]) {
-    console.log(`  ${figure.padEnd(44)} ${value.toPrecision(4).padStart(10)} ${unit.padEnd(10)} ${note}`);
+  for (const { name: figure, value, unit, note = '', isLeast = false } of results[name]) {
+    const shown = `${isLeast ? '> ' : ''}${value.toPrecision(4)}`;
+    console.log(`  ${figure.padEnd(44)} ${shown.padStart(10)} ${unit.padEnd(10)} ${note}`);
   }
 }
 await mkdir(cacheFolder, { recursive: true });

@@ -137,8 +137,11 @@ test("feet hold for the levels and a band of one's own", async ({ page }) => {
 test('nothing of the bars is cut off on a small laptop', async ({ page }) => {
   await page.setViewportSize({ width: 1024, height: 768 });
   await openPlan(page);
+  await page.getByRole('button', { name: 'Step by step' }).click();
+  await page.getByTestId('compare').click();
+  await expect(page.getByTestId('compare-table')).toBeVisible();
   const cut = await page
-    .locator('.tools, .bar, .band')
+    .locator('.tools, .bar, .band, .compare, .compare-choice, .compare-line')
     .evaluateAll((bars) => bars.map((bar) => bar.scrollWidth - bar.clientWidth));
   expect(cut.length).toBeGreaterThan(3);
   expect(Math.max(...cut)).toBe(0);
@@ -163,10 +166,11 @@ test('a changed parameter runs again from its stage only, and can be undone', as
   await openPlan(page);
   const before = await page.getByTestId('plan-svg').locator('svg').innerHTML();
   await page.locator('[data-stage=plan] > summary').click();
-  const thickness = page.getByRole('spinbutton', { name: 'Wall thickness' });
-  await thickness.fill('0.5');
+  const thickness = page.getByRole('textbox', { name: 'Wall thickness' });
+  await thickness.fill('50 cm');
   await thickness.press('Enter');
   await expect.poll(() => stagesRun(page)).toEqual(['plan', 'solid']);
+  await expect(thickness).toHaveValue('0.5');
   const changed = await page.getByTestId('plan-svg').locator('svg').innerHTML();
   expect(changed).not.toBe(before);
   await page.getByRole('button', { name: 'Undo' }).click();

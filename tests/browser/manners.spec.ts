@@ -15,6 +15,13 @@ test('the page passes axe in every state, light and dark', async ({ page }) => {
     await openPlan(page);
     await unfoldAll(page);
     expect(await axe(page), `plan, ${colorScheme}`).toEqual([]);
+    await page.getByRole('button', { name: 'Step by step' }).click();
+    await expect(page.getByTestId('step-picture').locator('.paper > svg')).toBeVisible();
+    expect(await axe(page), `steps, ${colorScheme}`).toEqual([]);
+    await page.getByTestId('compare').click();
+    await expect(page.getByTestId('compare-iou')).toContainText('%');
+    expect(await axe(page), `comparison, ${colorScheme}`).toEqual([]);
+    await page.getByRole('button', { name: 'Drawing', exact: true }).click();
     await dropFile(page, 'letter.ply', 'Dear reader');
     await expect(page.getByTestId('error')).toBeVisible();
     expect(await axe(page), `error, ${colorScheme}`).toEqual([]);
@@ -176,6 +183,25 @@ test.describe('on a phone', () => {
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     expect(wide).toBeLessThanOrEqual(390);
     expect(await smallTargets(page)).toEqual([]);
+  });
+
+  test('a stage leads to its picture under the sheet; steps and comparison have targets for fingers', async ({
+    page,
+  }) => {
+    await openPlan(page);
+    await page.getByRole('button', { name: 'Steps' }).click();
+    await page.getByTestId('show-level').click();
+    await expect(page.getByTestId('level-0')).toBeHidden();
+    await expect(page.getByTestId('step-levels')).toHaveAttribute('aria-selected', 'true');
+    await expect(page.getByTestId('step-picture').locator('.paper > svg')).toBeVisible();
+    expect(await smallTargets(page)).toEqual([]);
+    await page.getByTestId('compare').click();
+    await expect(page.getByTestId('compare-iou')).toContainText('%');
+    expect(await smallTargets(page)).toEqual([]);
+    const cut = await page
+      .locator('.tools, .compare, .caption')
+      .evaluateAll((parts) => parts.map((part) => part.scrollWidth - part.clientWidth));
+    expect(Math.max(...cut)).toBe(0);
   });
 
   test('a dropped file works there too', async ({ page }) => {

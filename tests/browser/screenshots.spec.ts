@@ -18,6 +18,13 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await openPlan(page);
       await page.waitForTimeout(1500);
       await take('plan');
+      await page.getByRole('button', { name: 'Step by step' }).click();
+      await page.waitForTimeout(1500);
+      await take('step-by-step');
+      await page.getByTestId('compare').click();
+      await page.waitForTimeout(1500);
+      await take('comparison');
+      await page.getByRole('button', { name: 'Drawing', exact: true }).click();
       if (size === 'phone') {
         await page.getByRole('button', { name: 'Model', exact: true }).first().click();
         await page.waitForTimeout(2500);

@@ -59,8 +59,42 @@ describe('resolveOptions', () => {
     [{ boundary: 'round' }],
     [{ secondaryOperation: [] }],
     [{ floorSlab: 'yes' }],
+    [{ pixelsPerMetre: 0, epsilon: '2px' }],
+    [{ pixelsPerMetre: '100' }],
+    [{ seed: '3' }],
+    [{ epsilon: '' }],
   ])('refuses %j', (given) => {
     expect(codeOf(() => resolveOptions(given as never))).toBe('option/invalid');
+  });
+
+  it("turns a person's units into metres and square metres, and auto stays auto", () => {
+    const options = resolveOptions({
+      epsilon: '2.4px',
+      visvalingamEpsilon: '0.2px²',
+      wallThickness: '24 cm',
+      bridgeGap: '10ft',
+      openingLength: 'auto',
+      pixelsPerMetre: 50,
+    });
+    expect(options.epsilon).toBeCloseTo(0.048, 12);
+    expect(options.visvalingamEpsilon).toBeCloseTo(0.2 / 2500, 12);
+    expect(options).toMatchObject({ wallThickness: 0.24, bridgeGap: 3.048, openingLength: 'auto' });
+  });
+
+  it('gives what it was given in one unit as in another', () => {
+    const millimetres = (epsilon: number) => resolveOptions({ epsilon: `${epsilon}mm` }).epsilon;
+    for (const mm of [1, 3, 7, 9, 24, 111]) expect(millimetres(mm)).toBe(Number(`${mm}e-3`));
+  });
+
+  it('names the units a quantity may have, and judges pixels by their size', () => {
+    expect(() => resolveOptions({ epsilon: '5 yards' } as never)).toThrow(
+      'epsilon: expected auto or a number from 0 to 10 m, or with a unit (px, mm, cm, m, in or ft), found "5 yards"',
+    );
+    expect(() => resolveOptions({ visvalingamEpsilon: '5cm' } as never)).toThrow(
+      '(px², mm², cm², m², in² or ft²)',
+    );
+    expect(resolveOptions({ epsilon: '500px' }).epsilon).toBe(5);
+    expect(codeOf(() => resolveOptions({ epsilon: '500px', pixelsPerMetre: 10 }))).toBe('option/invalid');
   });
 
   it('refuses an unknown option', () => {
@@ -76,6 +110,14 @@ describe('parseParam', () => {
     ['floorSlab', '', { floorSlab: true }],
     ['floorSlab', 'false', { floorSlab: false }],
     ['level', '0.5:2', { level: '0.5:2' }],
+    ['epsilon', '24mm', { epsilon: 0.024 }],
+    ['epsilon', ' 2.4 cm ', { epsilon: 0.024 }],
+    ['epsilon', '1in', { epsilon: 0.0254 }],
+    ['bridgeGap', '10ft', { bridgeGap: 3.048 }],
+    ['wallThickness', '2e-1M', { wallThickness: 0.2 }],
+    ['visvalingamEpsilon', '5cm2', { visvalingamEpsilon: 0.0005 }],
+    ['visvalingamEpsilon', '500 mm²', { visvalingamEpsilon: 0.0005 }],
+    ['epsilon', '2.4px', { epsilon: '2.4px' }],
     ['secondaryOperation', 'subtract, add', { secondaryOperation: ['subtract', 'add'] }],
   ])('reads %s = "%s"', (name, text, value) => {
     expect(parseParam(name, text)).toEqual(value);
@@ -87,6 +129,13 @@ describe('parseParam', () => {
     ['up', 'north'],
     ['floorSlab', 'maybe'],
     ['secondaryOperation', 'subtract,,add'],
+    ['epsilon', '24 furlongs'],
+    ['epsilon', '5cm2'],
+    ['epsilon', 'mm'],
+    ['epsilon', '20m'],
+    ['visvalingamEpsilon', '5cm'],
+    ['secondaryCount', '2px'],
+    ['wallThickness', 'auto'],
   ])('refuses %s = "%s"', (name, text) => {
     expect(codeOf(() => parseParam(name, text))).toBe('option/invalid');
   });

@@ -1,10 +1,10 @@
 import type { StageContext } from '../context.ts';
 import { orientation } from '../geometry/predicates.ts';
+import { squaredDistanceToSegment } from '../geometry/segments.ts';
 import type { Gap, Ring } from '../types.ts';
-import { missingCorner } from './gap-corner.ts';
-import { probeEdge } from './gift-opening.ts';
-import { coordinatesOf, lengthOf, ringPoints } from './hull-ring.ts';
-import type { Opening, OpeningRules } from './opening.ts';
+import { isClear, missingCorner } from './gap-corner.ts';
+import { coordinatesOf } from './hull-ring.ts';
+import { NOISE_DEPTH, type Opening } from './opening.ts';
 import { findOpeningPoint } from './opening-point.ts';
 import { continuesWalls } from './wall-run.ts';
 
@@ -16,19 +16,31 @@ const LEAST_COSINE = -0.34;
 /** Gaps told one by one in the warning; the rest are counted. */
 const TOLD = 3;
 
+/** A bridge that is a gap in a wall: its first point, and the corner it took away, if any. */
+export interface BridgedGap {
+  readonly a: number;
+  readonly corner: Gap['from'] | null;
+}
+
 /**
- * Finds the gaps beneath edges the opening length left alone: each is opened on trial down to `supportLength`. So a
- * gap is a gap at every opening length.
+ * Which bridges are gaps in walls, and the corners these took away.
+ *
+ * @param opening down to `supportLength`, so that the walls at the gaps' ends show whatever the opening length
+ * @param longestLeg longest way from a gap's end to its corner, m
  */
-export function probeClosedEdges(opening: Opening, rules: OpeningRules): void {
-  const { next } = opening.hull;
-  if (rules.openingLength <= rules.supportLength || rules.bridgeLimit === 0) return;
-  const probe = { ...rules, openingLength: rules.supportLength };
-  for (const a of ringPoints(opening.hull)) {
-    const length = lengthOf(opening.hull, a);
-    const isLong = length > rules.supportLength && length <= rules.bridgeLimit;
-    if (next[a] >= 0 && isLong && length <= rules.openingLength) probeEdge(opening, probe, a);
+export function findGaps(opening: Opening, longestLeg: number): readonly BridgedGap[] {
+  const { hull, bridges } = opening;
+  if (bridges.length === 0) return [];
+  const { x, y } = hull.grid;
+  const ring = coordinatesOf(hull);
+  const found: BridgedGap[] = [];
+  for (let k = 0; k < bridges.length; k += 2) {
+    const a = bridges[k];
+    if (!continuesWalls(hull, a, LEAST_COSINE)) continue;
+    const corner = missingCorner(ring, vertexAt(ring, [x[a], y[a]]), longestLeg);
+    found.push({ a, corner: corner === null || hidesPoint(opening, a, corner) ? null : corner });
   }
+  return found;
 }
 
 /**
@@ -37,21 +49,18 @@ export function probeClosedEdges(opening: Opening, rules: OpeningRules): void {
  * A put-back corner is the one vertex that is no point of the slice; it splits its gap in two.
  */
 export function closeGaps(
-  opening: Opening,
-  longestLeg: number,
+  { hull }: Opening,
+  found: readonly BridgedGap[],
 ): { readonly ring: Ring; readonly gaps: Gap[] } {
-  const { hull, bridges } = opening;
   const { x, y } = hull.grid;
   const gaps: Gap[] = [];
   let ring = coordinatesOf(hull);
-  for (let k = 0; k < bridges.length; k += 2) {
-    const [a, b] = [bridges[k], bridges[k + 1]];
-    if (!continuesWalls(hull, a, LEAST_COSINE)) continue;
+  for (const { a, corner } of found) {
+    const b = hull.next[a];
     const from = [x[a], y[a]] as const;
     const to = [x[b], y[b]] as const;
     const edge = vertexAt(ring, from);
-    const corner = missingCorner(ring, edge, longestLeg);
-    if (corner === null || hidesPoint(opening, a, corner)) gaps.push(gapBetween(from, to));
+    if (corner === null || !isClear(ring, edge, corner)) gaps.push(gapBetween(from, to));
     else {
       ring = withVertex(ring, edge, corner);
       gaps.push(gapBetween(from, corner), gapBetween(corner, to));
@@ -78,11 +87,15 @@ export function warnOfGaps(gaps: readonly Gap[], context: StageContext): void {
   });
 }
 
-/** Whether a point may lie between the bridge a → next[a] and a corner: one that sees it under angles as small. */
+/** Whether a point off the walls may lie between the bridge a → next[a] and a corner: one that sees it under angles as small. */
 function hidesPoint({ hull }: Opening, a: number, [cornerX, cornerY]: Gap['from']): boolean {
   const { x, y } = hull.grid;
   const b = hull.next[a];
-  const p = findOpeningPoint(hull, a, b);
+  const corner = [cornerX, cornerY] as const;
+  const isOnWall = (q: number) =>
+    squaredDistanceToSegment(x[q], y[q], x[a], y[a], ...corner) <= NOISE_DEPTH ** 2 ||
+    squaredDistanceToSegment(x[q], y[q], ...corner, x[b], y[b]) <= NOISE_DEPTH ** 2;
+  const p = findOpeningPoint(hull, a, b, isOnWall);
   if (p < 0 || orientation(x[a], y[a], x[b], y[b], cornerX, cornerY) <= 0) return false;
   const cosines = (px: number, py: number) => [
     cosine(x[b] - x[a], y[b] - y[a], px - x[a], py - y[a]),

@@ -1,5 +1,5 @@
 import { lineIntersection, segmentsTouch } from '../geometry/segments.ts';
-import type { Ring } from '../types.ts';
+import type { Gap, Ring } from '../types.ts';
 
 /** Stretches of wall beside a gap that are tried as a line, longest first, m. */
 const WALL_STRETCHES = [1, 0.5, 0.2];
@@ -13,36 +13,87 @@ const STRAIGHT = 0.06;
 const STRAIGHT_ON = -0.9;
 /** Walls that meet more sharply than this make no corner: cosine of 45°. */
 const SHARPEST = 0.7;
+/** Walls side by side: cosine of 8°. */
+const PARALLEL = 0.99;
 /** Shorter legs are noise at a wall's end, m. */
 const SHORTEST_LEG = 0.1;
 
 /**
  * The corner a gap took away: where the walls before and after ring edge k meet, when both are straight and the
- * corner lies ahead of both, within `longestLeg` of each end.
+ * corner lies ahead of both, within `longestLeg` of each end. Where one wall alone says its direction, or both say
+ * the same, the corner is taken as square.
  *
  * @param ring counter-clockwise
  * @returns null when the gap is not at a corner
  */
-export function missingCorner(
-  ring: Ring,
-  k: number,
-  longestLeg: number,
-): readonly [x: number, y: number] | null {
+export function missingCorner(ring: Ring, k: number, longestLeg: number): Gap['from'] | null {
   const m = (k + 1) % (ring.length / 2);
-  const directions = squared(wallDirection(ring, k, -1), wallDirection(ring, m, 1));
-  if (directions === null) return null;
-  const [before, after] = directions;
+  const gap: Chord = { ax: ring[2 * k], ay: ring[2 * k + 1], bx: ring[2 * m], by: ring[2 * m + 1] };
+  const before = wallDirection(ring, k, -1);
+  const after = wallDirection(ring, m, 1);
+  return cornerOf(gap, before, after, longestLeg);
+}
+
+interface Chord {
+  readonly ax: number;
+  readonly ay: number;
+  readonly bx: number;
+  readonly by: number;
+}
+
+/** Where the walls meet, or the surer of them and a wall square to it; null when they do not tell. */
+function cornerOf(
+  gap: Chord,
+  before: Direction | null,
+  after: Direction | null,
+  longestLeg: number,
+): Gap['from'] | null {
+  const isSure = [before, after].map((wall) => wall !== null && wall.stretch >= SURE_STRETCH);
+  if (!isSure[0] && !isSure[1]) return null;
+  if (before === null || after === null) return squareCorner(gap, before, after, longestLeg);
   const turn = before.x * after.x + before.y * after.y;
-  if (turn < STRAIGHT_ON || turn > SHARPEST) return null;
-  const [ax, ay, bx, by] = [ring[2 * k], ring[2 * k + 1], ring[2 * m], ring[2 * m + 1]];
+  if (isSure[0] && isSure[1]) {
+    if (turn > PARALLEL) return squareCorner(gap, before, after, longestLeg);
+    return turn < STRAIGHT_ON || turn > SHARPEST ? null : meeting(gap, before, after, longestLeg);
+  }
+  if (Math.abs(turn) > ROUGHLY_SQUARE) return null;
+  return squareCorner(gap, isSure[0] ? before : null, isSure[1] ? after : null, longestLeg);
+}
+
+/** Where both walls meet. */
+function meeting(
+  { ax, ay, bx, by }: Chord,
+  before: Direction,
+  after: Direction,
+  longestLeg: number,
+): Gap['from'] | null {
   const corner = lineIntersection(ax, ay, ax + before.x, ay + before.y, bx, by, bx + after.x, by + after.y);
   if (corner === null) return null;
   const legs = [
     (corner[0] - ax) * before.x + (corner[1] - ay) * before.y,
     (corner[0] - bx) * after.x + (corner[1] - by) * after.y,
   ];
-  if (legs.some((leg) => leg < SHORTEST_LEG || leg > longestLeg)) return null;
-  return isClear(ring, k, corner) ? corner : null;
+  return legs.every((leg) => leg >= SHORTEST_LEG && leg <= longestLeg) ? corner : null;
+}
+
+/**
+ * Where a wall runs on to meet one square to it from the other end of the gap. Of two walls side by side, whose end
+ * wall is gone, it is the shorter one: the room reaches as far as the longer does.
+ */
+function squareCorner(
+  { ax, ay, bx, by }: Chord,
+  before: Direction | null,
+  after: Direction | null,
+  longestLeg: number,
+): Gap['from'] | null {
+  const ahead = before === null ? 0 : (bx - ax) * before.x + (by - ay) * before.y;
+  const back = after === null ? 0 : (ax - bx) * after.x + (ay - by) * after.y;
+  const [wall, leg, x, y] =
+    ahead > back ? ([before, ahead, ax, ay] as const) : ([after, back, bx, by] as const);
+  if (wall === null) return null;
+  const side = Math.sqrt(Math.max(0, (bx - ax) ** 2 + (by - ay) ** 2 - leg * leg));
+  const isCorner = Math.min(leg, side) >= SHORTEST_LEG && Math.max(leg, side) <= longestLeg;
+  return isCorner ? [x + leg * wall.x, y + leg * wall.y] : null;
 }
 
 interface Direction {
@@ -50,23 +101,6 @@ interface Direction {
   readonly y: number;
   /** Length of the wall it was taken from, m. */
   readonly stretch: number;
-}
-
-/** Both directions, an unsure one turned square to a sure one; null when the walls do not tell. */
-function squared(before: Direction | null, after: Direction | null): readonly [Direction, Direction] | null {
-  if (before === null || after === null) return null;
-  const isSure = [before, after].map(({ stretch }) => stretch >= SURE_STRETCH);
-  if (isSure[0] && isSure[1]) return [before, after];
-  if (!isSure[0] && !isSure[1]) return null;
-  const cosine = before.x * after.x + before.y * after.y;
-  if (Math.abs(cosine) > ROUGHLY_SQUARE) return null;
-  return isSure[0] ? [before, squareTo(before, after)] : [squareTo(after, before), after];
-}
-
-/** The direction square to `sure` that is nearer to `rough`. */
-function squareTo(sure: Direction, rough: Direction): Direction {
-  const side = sure.x * rough.y - sure.y * rough.x > 0 ? 1 : -1;
-  return { x: -side * sure.y, y: side * sure.x, stretch: rough.stretch };
 }
 
 /** The way the wall that ends at vertex `end` points out into the gap. */
@@ -111,7 +145,7 @@ function fitDirection(ring: Ring, vertices: readonly number[]): readonly [x: num
 }
 
 /** Whether the way from vertex k over the corner to the next vertex touches no other edge. */
-function isClear(ring: Ring, k: number, [x, y]: readonly [number, number]): boolean {
+export function isClear(ring: Ring, k: number, [x, y]: readonly [number, number]): boolean {
   const n = ring.length / 2;
   const m = (k + 1) % n;
   for (let i = 0; i < n; i++) {

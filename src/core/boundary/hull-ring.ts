@@ -109,7 +109,9 @@ export function triangleArea({ grid: { x, y } }: HullRing, a: number, b: number,
 
 /** Some point on the ring: the first in grid order. */
 export function firstPoint({ next }: HullRing): number {
-  return next.findIndex((to) => to >= 0);
+  let point = 0;
+  while (next[point] < 0) point++;
+  return point;
 }
 
 /** The points on the ring in order, from the first in grid order. */
@@ -123,5 +125,11 @@ export function ringPoints(hull: HullRing): number[] {
 /** The ring's coordinates, from its first point in grid order. */
 export function coordinatesOf(hull: HullRing): Ring {
   const { x, y } = hull.grid;
-  return Float64Array.from(ringPoints(hull).flatMap((p) => [x[p], y[p]]));
+  const points = ringPoints(hull);
+  const ring = new Float64Array(2 * points.length);
+  for (let k = 0; k < points.length; k++) {
+    ring[2 * k] = x[points[k]];
+    ring[2 * k + 1] = y[points[k]];
+  }
+  return ring;
 }

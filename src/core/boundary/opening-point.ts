@@ -15,6 +15,7 @@ interface Search {
   readonly ux: number;
   readonly uy: number;
   readonly length: number;
+  readonly isLeftOut: ((p: number) => boolean) | null;
   best: number;
   /** Tangent of the best point's larger end angle. */
   slope: number;
@@ -30,9 +31,15 @@ interface Search {
  * The grid is walked in slabs away from the edge, each as deep as all before. A point at depth d has a tangent of at
  * least 2d / length, so the walk ends once that passes the best found; earlier points narrow each slab to a tent.
  *
+ * @param isLeftOut points not to open to
  * @returns point number, -1 for none. Touches the cells between the edge and the point found, not all points.
  */
-export function findOpeningPoint(hull: HullRing, a: number, b: number): number {
+export function findOpeningPoint(
+  hull: HullRing,
+  a: number,
+  b: number,
+  isLeftOut: ((p: number) => boolean) | null = null,
+): number {
   const { grid } = hull;
   const dx = grid.x[b] - grid.x[a];
   const dy = grid.y[b] - grid.y[a];
@@ -45,6 +52,7 @@ export function findOpeningPoint(hull: HullRing, a: number, b: number): number {
     ux: dx / length,
     uy: dy / length,
     length,
+    isLeftOut,
     best: -1,
     slope: Number.POSITIVE_INFINITY,
     depth: 0,
@@ -136,6 +144,7 @@ function weighPoints(search: Search, from: number, to: number): void {
     if (depth <= ROUNDING * length && orientation(ax, ay, x[b], y[b], x[k], y[k]) < 0) continue;
     const slope = Math.max(0, depth) / inner;
     if (slope === search.slope && !isBefore(search, k, depth, inner)) continue;
+    if (search.isLeftOut?.(k)) continue;
     search.best = k;
     search.slope = slope;
     search.depth = depth;

@@ -1,7 +1,7 @@
 import { type HullRing, insertPoint, lengthOf, removePoint, triangleArea } from './hull-ring.ts';
 
 /** Depth up to which an opening only follows the noise of a wall, m: three deviations of a hand-held scanner. */
-const NOISE_DEPTH = 0.06;
+export const NOISE_DEPTH = 0.06;
 /** The same in mean spacings, for sparse slices. */
 const NOISE_SPACINGS = 2;
 /** An edge that keeps this share of the edge it came from only crept on; its depth is counted from where it began. */
@@ -51,12 +51,12 @@ export function isDeep(opening: Opening, rules: OpeningRules, a: number, p: numb
 /**
  * Leaves the edge a → next[a] closed, and notes it as a bridge when it is longer than steps along a wall are.
  *
- * @returns the length no points support
+ * @returns the length no points support, beyond a step along a wall
  */
 export function leaveClosed(opening: Opening, rules: OpeningRules, a: number, length: number): number {
   if (length <= rules.supportLength) return 0;
   if (length <= rules.bridgeLimit) opening.bridges.push(a, opening.hull.next[a]);
-  return length;
+  return length - rules.supportLength;
 }
 
 /** Puts p between a and next[a]. */

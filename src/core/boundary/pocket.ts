@@ -4,8 +4,6 @@ import type { HullRing } from './hull-ring.ts';
 const WIDENING = 0.1;
 /** A pocket may slant by this much per metre of depth, either way: 45°. */
 const STEEPEST_SLANT = 1;
-/** A slanting pocket may drift sideways by this share of its mouth; a corridor behind a diagonal mouth drifts further. */
-const LARGEST_DRIFT = 0.75;
 /** A pocket may take this share of the area the ring encloses. */
 const LARGEST_SHARE = 0.5;
 /** A mouth no wider than a thick wall, m, … */
@@ -63,10 +61,8 @@ export function startPocket(
 /** Whether the pocket, and every pocket around it, still fits a strip with point p in it. */
 export function fits(pocket: Pocket | null, { grid }: HullRing, p: number): boolean {
   for (let at = pocket; at !== null; at = at.outer) {
-    const [least, most, depth] = slantsFor(at, grid.x[p], grid.y[p]);
-    const [right, left] = [Math.max(least, at.leastSlant), Math.min(most, at.mostSlant)];
-    const drift = Math.max(0, right, -left) * Math.max(depth, at.depth);
-    if (right > left || drift > LARGEST_DRIFT * at.length) return false;
+    const [least, most] = slantsFor(at, grid.x[p], grid.y[p]);
+    if (Math.max(least, at.leastSlant) > Math.min(most, at.mostSlant)) return false;
   }
   return true;
 }

@@ -1,4 +1,4 @@
-import { isBlocked, lengthOf } from './hull-ring.ts';
+import { lengthOf } from './hull-ring.ts';
 import {
   depthOf,
   insertInto,
@@ -9,7 +9,7 @@ import {
   type OpeningRules,
   takeBack,
 } from './opening.ts';
-import { findOpeningPoint } from './opening-point.ts';
+import { unpassedPointBehind } from './passed-points.ts';
 import {
   CAVITY_DEPTHS,
   fits,
@@ -90,9 +90,9 @@ function openInner(trial: Trial, a: number, pocket: Pocket, level: number): numb
   const { hull } = opening;
   const length = lengthOf(hull, a);
   if (length <= rules.openingLength) return 0;
-  const p = level > DEEPEST ? -1 : findOpeningPoint(hull, a, hull.next[a]);
+  const p = level > DEEPEST ? -1 : unpassedPointBehind(hull, a, rules);
   const isOpen = p >= 0 && !isCrack(opening, rules, a, p) && fits(pocket, hull, p);
-  if (!isOpen || isBlocked(hull, a, p, hull.next[a])) return leaveClosed(opening, rules, a, length);
+  if (!isOpen) return leaveClosed(opening, rules, a, length);
   const mouth = { a, p, length, level };
   const mayHaveStrip = length <= rules.bridgeLimit && pocket.level < MOST_STRIPS;
   const isMouth = mayHaveStrip && isDeep(opening, rules, a, p) && continuesWalls(hull, a, LEAST_COSINE);
@@ -112,7 +112,8 @@ function openBehind(trial: Trial, mouth: Mouth, pocket: Pocket, outer: Pocket | 
   const logged = log.length;
   const bridged = bridges.length;
   const isOwn = pocket !== outer;
-  const allowed = length > rules.supportLength ? (isOwn ? UNSUPPORTED_SHARE * length : length) : 0;
+  const excess = Math.max(0, length - rules.supportLength);
+  const allowed = isOwn ? UNSUPPORTED_SHARE * excess : excess;
   takeIn(pocket, hull, p);
   insertInto(opening, rules, a, p);
   const [long, short] = lengthOf(hull, a) >= lengthOf(hull, p) ? [a, p] : [p, a];

@@ -1,4 +1,5 @@
 import type { Ring } from '../types.ts';
+import { hullCandidates } from './hull-candidates.ts';
 import { distinctPoints } from './point-order.ts';
 import { orientation } from './predicates.ts';
 
@@ -28,10 +29,11 @@ export function convexHull(xy: Float64Array): Ring {
  * @returns point numbers of the hull, counter-clockwise
  */
 export function convexHullOfSorted(xy: Float64Array): Uint32Array {
-  const n = xy.length >> 1;
+  const candidates = hullCandidates(xy);
+  const n = candidates.length;
   if (n < 2) return new Uint32Array(n);
-  const lower = new Uint32Array(n);
-  const upper = new Uint32Array(n);
+  const lower = candidates;
+  const upper = candidates.slice();
   const lowerLength = chainOf(xy, lower, 0, n, 1);
   const upperLength = chainOf(xy, upper, 0, n, -1);
   const hull = new Uint32Array(lowerLength + upperLength - 2);
@@ -41,12 +43,9 @@ export function convexHullOfSorted(xy: Float64Array): Uint32Array {
   return hull;
 }
 
-/** Lower (side 1) or upper (side -1) hull chain of points from … to - 1, written to chain[from …]; returns its length. */
+/** Puts the lower (side 1) or upper (side -1) hull chain of the points chain[from … to - 1] in their place; returns its length. */
 function chainOf(xy: Float64Array, chain: Uint32Array, from: number, to: number, side: 1 | -1): number {
-  if (to - from === 1) {
-    chain[from] = from;
-    return 1;
-  }
+  if (to - from === 1) return 1;
   const middle = (from + to) >> 1;
   let left = from + chainOf(xy, chain, from, middle, side) - 1;
   let right = middle;

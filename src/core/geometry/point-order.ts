@@ -30,8 +30,9 @@ export function lexicographicOrder(xy: Float64Array): Uint32Array {
   return order;
 }
 
-/** The distinct points in lexicographic order, x, y each. */
+/** The distinct points in lexicographic order, x, y each; the array given, when it is that already. */
 export function distinctPoints(xy: Float64Array): Float64Array {
+  if (isStrictlyAscending(xy)) return xy;
   const order = lexicographicOrder(xy);
   const kept = new Float64Array(xy.length);
   let n = 0;
@@ -44,6 +45,13 @@ export function distinctPoints(xy: Float64Array): Float64Array {
     n++;
   }
   return kept.subarray(0, 2 * n);
+}
+
+function isStrictlyAscending(xy: Float64Array): boolean {
+  for (let i = 2; i < xy.length; i += 2) {
+    if (!(xy[i - 2] < xy[i] || (xy[i - 2] === xy[i] && xy[i - 1] < xy[i + 1]))) return false;
+  }
+  return true;
 }
 
 /** Steps of one coordinate over its extent; monotone, so equal or larger coordinates never get a smaller step. */

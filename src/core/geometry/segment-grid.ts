@@ -64,6 +64,24 @@ export class SegmentGrid {
     return count;
   }
 
+  /** Finds the entries of all cells within `reach` of a place along either axis; their numbers go to `found`. */
+  around(x: number, y: number, reach: number): number {
+    const firstRow = Math.max(0, Math.floor((y - reach - this.minY) / this.cell));
+    const lastRow = Math.min(this.rows - 1, Math.floor((y + reach - this.minY) / this.cell));
+    const firstColumn = Math.max(0, Math.floor((x - reach - this.minX) / this.cell));
+    const lastColumn = Math.min(this.columns - 1, Math.floor((x + reach - this.minX) / this.cell));
+    let count = 0;
+    for (let row = firstRow; row <= lastRow; row++) {
+      for (let column = firstColumn; column <= lastColumn; column++) {
+        for (let entry = this.head[row * this.columns + column]; entry >= 0; entry = this.chain[entry]) {
+          if (count === this.found.length) this.found = grown(this.found);
+          this.found[count++] = entry;
+        }
+      }
+    }
+    return count;
+  }
+
   private enter(cell: number, u: number, v: number): void {
     if (this.size === this.chain.length) {
       this.chain = grown(this.chain);

@@ -1,21 +1,26 @@
 import type { Ring } from '../types.ts';
 
 /**
- * Two vertices far apart to cut a ring at, the same whichever vertex it starts from: the one farthest from the mean
- * of all, and the one farthest from that; of equals the first by x, then y. Linear.
+ * Two vertices far apart to cut a ring at, the same whichever vertex it starts from and whichever way it turns.
+ *
+ * From the first vertex by x, then y, always on to the farthest vertex until that is no farther than the last step:
+ * mostly the diameter, so both are corners of the convex hull that no simplification should take. Exact ties go by x,
+ * then y. A few linear sweeps.
  *
  * @returns vertex numbers, the first ≠ the second for rings of two distinct vertices or more
  */
 export function cutVertices(ring: Ring): readonly [first: number, second: number] {
-  let x = 0;
-  let y = 0;
-  for (let i = 0; i < ring.length; i += 2) {
-    x += ring[i] - ring[0];
-    y += ring[i + 1] - ring[1];
+  let first = 0;
+  for (let v = 1; v < ring.length / 2; v++) if (isBefore(ring, v, first)) first = v;
+  let second = farthestFrom(ring, first);
+  let reach = 0;
+  while (squaredDistance(ring, first, second) > reach) {
+    reach = squaredDistance(ring, first, second);
+    const next = farthestFrom(ring, second);
+    first = second;
+    second = next;
   }
-  const n = ring.length / 2;
-  const first = farthestFrom(ring, ring[0] + x / n, ring[1] + y / n);
-  return [first, farthestFrom(ring, ring[2 * first], ring[2 * first + 1])];
+  return isBefore(ring, first, second) ? [first, second] : [second, first];
 }
 
 /** The open lines from the first to the second vertex and back, both ends included. */
@@ -34,19 +39,25 @@ export function joinLines([there, back]: readonly [Float64Array, Float64Array]):
   return ring;
 }
 
-function farthestFrom(ring: Ring, x: number, y: number): number {
-  let best = 0;
+function farthestFrom(ring: Ring, vertex: number): number {
+  let best = vertex;
   let farthest = -1;
-  for (let i = 0; i < ring.length; i += 2) {
-    const squared = (ring[i] - x) ** 2 + (ring[i + 1] - y) ** 2;
-    if (squared < farthest) continue;
-    const isFirst =
-      ring[i] < ring[2 * best] || (ring[i] === ring[2 * best] && ring[i + 1] < ring[2 * best + 1]);
-    if (squared === farthest && !isFirst) continue;
-    best = i / 2;
+  for (let v = 0; v < ring.length / 2; v++) {
+    const squared = squaredDistance(ring, v, vertex);
+    if (squared < farthest || (squared === farthest && !isBefore(ring, v, best))) continue;
+    best = v;
     farthest = squared;
   }
   return best;
+}
+
+function squaredDistance(ring: Ring, v: number, w: number): number {
+  return (ring[2 * v] - ring[2 * w]) ** 2 + (ring[2 * v + 1] - ring[2 * w + 1]) ** 2;
+}
+
+/** By x, then y. */
+function isBefore(ring: Ring, v: number, w: number): boolean {
+  return ring[2 * v] < ring[2 * w] || (ring[2 * v] === ring[2 * w] && ring[2 * v + 1] < ring[2 * w + 1]);
 }
 
 function lineBetween(ring: Ring, from: number, to: number): Float64Array {

@@ -22,3 +22,17 @@ export function radialDistance(line: Float64Array, epsilon: number): Float64Arra
   kept[end++] = line[line.length - 1];
   return kept.slice(0, end);
 }
+
+/**
+ * The same on a part of a ring, whose end is a vertex like others: vertices within ε of it that the pass would leave before
+ * it go too, so no edge of what stays is as short as ε but one between both ends.
+ */
+export function radialDistanceInRing(line: Float64Array, epsilon: number): Float64Array {
+  const kept = radialDistance(line, epsilon);
+  const [x, y] = kept.subarray(-2);
+  let end = kept.length - 2;
+  while (end > 2 && (kept[end - 2] - x) ** 2 + (kept[end - 1] - y) ** 2 <= epsilon * epsilon) end -= 2;
+  const shorter = kept.slice(0, end + 2);
+  shorter.set([x, y], end);
+  return shorter;
+}

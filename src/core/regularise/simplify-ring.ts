@@ -1,17 +1,26 @@
-import { isCounterClockwise } from '../geometry/rings.ts';
-import { squaredDistanceToSegment } from '../geometry/segments.ts';
-import { conflictingEdges, type RingEdge } from '../geometry/simplicity.ts';
+import { isCounterClockwise, reverseRing, signedArea } from '../geometry/rings.ts';
 import type { RegularisationPass, Ring } from '../types.ts';
 import { cutRing, cutVertices, joinLines } from './cut-ring.ts';
 import { douglasPeucker } from './douglas-peucker.ts';
-import { radialDistance } from './radial-distance.ts';
+import { placesIn } from './places-in.ts';
+import { radialDistanceInRing } from './radial-distance.ts';
+import { settleRings } from './settle-rings.ts';
 import { visvalingam } from './visvalingam.ts';
+
+/** The passes that only drop vertices. */
+export type SimplifyingPass = Exclude<RegularisationPass, 'corners'>;
 
 export interface Tolerances {
   /** Radial distance and Douglas-Peucker, m. */
   readonly epsilon: number;
   /** Visvalingam, m². */
   readonly areaEpsilon: number;
+}
+
+export interface SimplifiedRings {
+  readonly rings: readonly Ring[];
+  /** Rings smaller than the tolerance: a pass alone would have left nothing of them that encloses an area. */
+  readonly vanished: number;
 }
 
 /**
@@ -22,96 +31,48 @@ export interface Tolerances {
  */
 export function simplifyRing(
   ring: Ring,
-  { passes, ...tolerances }: Tolerances & { readonly passes: readonly RegularisationPass[] },
+  { passes, ...tolerances }: Tolerances & { readonly passes: readonly SimplifyingPass[] },
 ): Ring {
   let rings: readonly Ring[] = [ring];
-  for (const pass of passes) rings = simplifyRings(rings, pass, tolerances);
+  for (const pass of passes) rings = simplifyRings(rings, pass, tolerances).rings;
   return rings[0];
 }
 
 /**
- * One pass over rings that stay apart. Where it makes an edge cross another, or a ring turn over or vanish, the vertex
- * dropped farthest from that edge comes back, until all is well: the tolerance shrinks there and nowhere else.
+ * One pass over rings that stay apart, each in or out of the other as before. Where it makes an edge cross another, or a
+ * ring turn over or vanish, the vertex dropped farthest from that edge comes back, until all is well: the tolerance
+ * shrinks there and nowhere else.
+ *
+ * The vertices that stay do not depend on the vertex a ring starts with, nor on the way it turns.
  *
  * @param rings simple, not crossing each other; no vertex twice in a ring
  */
 export function simplifyRings(
   rings: readonly Ring[],
-  pass: RegularisationPass,
+  pass: SimplifyingPass,
   tolerances: Tolerances,
-): readonly Ring[] {
-  const kept = rings.map((ring) => placesIn(ring, applyPass(ring, pass, tolerances)));
-  for (;;) {
-    const result = rings.map((ring, r) => ringOf(ring, kept[r]));
-    const edges = [...conflictingEdges(result), ...turnedEdges(rings, result)];
-    if (edges.length === 0) return result;
-    const returning = rings.map(() => new Set<number>());
-    for (const { ring, edge } of edges) {
-      const vertex = farthestDropped(rings[ring], kept[ring], edge);
-      if (vertex >= 0) returning[ring].add(vertex);
-    }
-    if (returning.every((vertices) => vertices.size === 0)) return rings;
-    returning.forEach((vertices, r) => {
-      if (vertices.size > 0) kept[r] = [...kept[r], ...vertices].sort((a, b) => a - b);
-    });
-  }
+): SimplifiedRings {
+  // All walked one way round, so that ties fall the same way.
+  const isTurned = rings.map((ring) => !isCounterClockwise(ring));
+  const walked = rings.map((ring, r) => (isTurned[r] ? reverseRing(ring) : ring));
+  const wanted = walked.map((ring) => applyPass(ring, pass, tolerances));
+  const drafts = walked.map((ring, r) => ({ kept: placesIn(ring, wanted[r]).sort((a, b) => a - b) }));
+  const settled = settleRings(walked, drafts);
+  return {
+    rings: settled.map((ring, r) => (isTurned[r] ? reverseRing(ring) : ring)),
+    vanished: wanted.filter((ring) => hasVanished(ring, pass, tolerances)).length,
+  };
 }
 
-function applyPass(ring: Ring, pass: RegularisationPass, { epsilon, areaEpsilon }: Tolerances): Ring {
+function applyPass(ring: Ring, pass: SimplifyingPass, { epsilon, areaEpsilon }: Tolerances): Ring {
   if (pass === 'visvalingam') return visvalingam(ring, areaEpsilon);
-  const passOf = pass === 'radial' ? radialDistance : douglasPeucker;
+  const passOf = pass === 'radial' ? radialDistanceInRing : douglasPeucker;
   const [there, back] = cutRing(ring, cutVertices(ring));
   return joinLines([passOf(there, epsilon), passOf(back, epsilon)]);
 }
 
-/** Numbers in `ring`, ascending, of the vertices of `part`, which follow each other as in the ring. */
-function placesIn(ring: Ring, part: Ring): number[] {
-  const n = ring.length / 2;
-  const places: number[] = [];
-  let at = 0;
-  for (let k = 0; k < part.length; k += 2) {
-    while (ring[2 * at] !== part[k] || ring[2 * at + 1] !== part[k + 1]) at = (at + 1) % n;
-    places.push(at);
-  }
-  return places.sort((a, b) => a - b);
-}
-
-function ringOf(ring: Ring, kept: readonly number[]): Ring {
-  const part = new Float64Array(2 * kept.length);
-  kept.forEach((vertex, k) => {
-    part[2 * k] = ring[2 * vertex];
-    part[2 * k + 1] = ring[2 * vertex + 1];
-  });
-  return part;
-}
-
-/** All edges of rings that turn the other way than before. */
-function turnedEdges(before: readonly Ring[], after: readonly Ring[]): RingEdge[] {
-  return after.flatMap((ring, r) => {
-    if (isCounterClockwise(ring) === isCounterClockwise(before[r])) return [];
-    return Array.from({ length: ring.length / 2 }, (_, edge) => ({ ring: r, edge }));
-  });
-}
-
-/** Of the vertices dropped between the ends of an edge the one farthest from it; -1 when none was. */
-function farthestDropped(ring: Ring, kept: readonly number[], edge: number): number {
-  const n = ring.length / 2;
-  const from = kept[edge];
-  const to = kept[(edge + 1) % kept.length];
-  let best = -1;
-  let farthest = -1;
-  for (let v = (from + 1) % n; v !== to; v = (v + 1) % n) {
-    const squared = squaredDistanceToSegment(
-      ring[2 * v],
-      ring[2 * v + 1],
-      ring[2 * from],
-      ring[2 * from + 1],
-      ring[2 * to],
-      ring[2 * to + 1],
-    );
-    if (squared <= farthest) continue;
-    farthest = squared;
-    best = v;
-  }
-  return best;
+/** Visvalingam stops at three vertices of its own accord. */
+function hasVanished(wanted: Ring, pass: SimplifyingPass, { areaEpsilon }: Tolerances): boolean {
+  if (wanted.length < 6) return true;
+  return pass === 'visvalingam' && wanted.length === 6 && Math.abs(signedArea(wanted)) < areaEpsilon;
 }

@@ -8,12 +8,12 @@ const MOST_SAMPLED = 2_000;
  *
  * @param xy x, y a point
  * @param share of the points that is sampled
- * @returns 0 for a sample of fewer than two points. O(sample²).
+ * @returns 0 for fewer than two points; of few points two are sampled at least. O(sample²).
  */
 export function averageDistance(xy: Float64Array, share: number, random: Random): number {
   const points = xy.length / 2;
-  const size = Math.min(MOST_SAMPLED, Math.round(share * points));
-  if (size < 2) return 0;
+  if (points < 2) return 0;
+  const size = Math.max(2, Math.min(MOST_SAMPLED, Math.round(share * points)));
   const order = Uint32Array.from({ length: points }, (_, i) => i);
   for (let i = 0; i < size; i++) {
     const j = i + Math.floor(random() * (points - i));

@@ -1,146 +1,133 @@
-import { CellTable } from '../cell-table.ts';
 import type { StageContext } from '../context.ts';
 import { centroid, perimeter, pointInPolygon, signedArea } from '../geometry/rings.ts';
 import type { Options } from '../params.ts';
-import { joinTouchingCells } from '../touching-cells.ts';
 import type { Polygon, Ring, Slice } from '../types.ts';
-import { outlineStructure } from './outline-points.ts';
-import {
-  distanceToPolygons,
-  type FoundStructure,
-  pickPoints,
-  type StructureSearch,
-  typeOf,
-} from './structure.ts';
+import { isFilled } from './filled.ts';
+import { cutGroup, groupOffWalls, type OffWallGroup } from './off-wall-groups.ts';
+import { outlineStructure, type StructureOutline } from './outline-structure.ts';
+import { pointsOf } from './point-groups.ts';
+import { facingShare, seenShare } from './seen-sides.ts';
+import { type FoundStructure, type StructureSearch, typeOf } from './structure.ts';
+import { findWallFaces, type WallFaces } from './wall-faces.ts';
 
-/** Cells are this many mean spacings wide: points one to two cells apart hang together. */
-const CELL_SPACINGS = 4;
-/**
- * Points within this many cells of the primary boundary are wall, and so is whatever hangs together with
- * them.
- */
-const WALL_CELLS = 2;
-/** Clear of the walls, faces of one structure may stand this many times further apart. */
-const STRUCTURE_CELLS = 3;
-/** Smaller clumps are stray points, and smaller groups no structure. */
-const FEWEST_IN_CLUMP = 4;
+/** Smaller groups are no structure. */
 const FEWEST_POINTS = 8;
 /** Thinner things are posts, poles and noise: area by half the perimeter, m. */
 const LEAST_WIDTH = 0.05;
+/** Below a 20 cm square: at a wall the end of a partition, 10 to 15 cm thick; in a room seldom a column. */
+const LEAST_CERTAIN_WIDTH = 0.1;
 /**
  * Area by squared perimeter, 1/16 for a square: below this a group is a free-standing piece of wall (about 1
- * to 10).
+ * to 6).
  */
-const WALL_COMPACTNESS = 0.02;
+const WALL_COMPACTNESS = 0.03;
+/** What touches a wall stands free of it when points show this share of its outline … */
+const SEEN_SHARE = 0.8;
+/** … and this share of the side that faces the wall. */
+const FACING_SHARE = 0.6;
+
+/** What candidates are judged by. */
+interface Surroundings {
+  readonly slice: Slice;
+  readonly primary: readonly Polygon[];
+  readonly faces: WallFaces;
+  readonly options: Options;
+  readonly context: StageContext;
+}
+
+interface Candidate extends FoundStructure, Pick<StructureOutline, 'completion'> {
+  readonly group: OffWallGroup;
+  readonly isFilled: boolean;
+}
 
 /**
  * Secondary boundaries as the outer faces of groups of points that stand free of the walls.
  *
- * Ours: neither clusters nor filter, so `secondaryCount` only says how many are wanted, the largest first,
- * free-standing pieces of wall last. O(n) but for the outlines.
+ * Ours: neither clusters nor stroke. Points that the walls' faces explain go; what is left hangs together in groups.
+ * A group that comes near a wall is a structure when points show its side facing the wall: what grows out of the wall
+ * has none there. `secondaryCount` says how many are wanted: those clear of the walls first, then the largest,
+ * free-standing pieces of wall last; `auto` takes those that are certain. O(n) but for the outlines.
  *
  * @returns clusters: 0 for walls and what was not taken, 1 … for the structures in order
  */
 export function findDetachedGroups(
-  { xy, spacing }: Slice,
+  slice: Slice,
   primary: readonly Polygon[],
   options: Options,
   context: StageContext,
 ): StructureSearch {
-  const clusters = new Uint8Array(xy.length / 2);
-  if (spacing === 0) return { clusters, found: [] };
-  const cell = CELL_SPACINGS * spacing;
-  const free = freePoints(xy, primary, cell);
+  const clusters = new Uint8Array(slice.xy.length / 2);
+  if (slice.spacing === 0) return { clusters, found: [], wanted: 0 };
+  const faces = findWallFaces(slice, options, context);
   context.progress(0.5);
-  const groupOf = groupPoints(free.xy, STRUCTURE_CELLS * cell);
-  const { members, start } = groupMembers(free.xy, groupOf);
-  const candidates: Candidate[] = [];
-  for (let group = 0; group + 1 < start.length; group++) {
-    const size = start[group + 1] - start[group];
-    if (size < FEWEST_POINTS) continue;
-    const points = members.slice(2 * start[group], 2 * start[group + 1]);
-    const outline = outlineStructure(points, options, context);
-    if (!outline || !isStructure(outline, primary)) continue;
-    candidates.push({ group, outline, type: typeOf(outline, points), points: size });
-  }
+  const surroundings = { slice, primary, faces, options, context };
+  const candidates = groupOffWalls(slice, faces).flatMap((group) => candidatesOf(group, surroundings));
   candidates.sort(byLikelihood);
-  const found = candidates.slice(0, options.secondaryCount);
-  const clusterOf = new Map(found.map(({ group }, k) => [group, k + 1]));
-  for (let k = 0; k < groupOf.length; k++) clusters[free.source[k]] = clusterOf.get(groupOf[k]) ?? 0;
-  return { clusters, found };
+  const { secondaryCount } = options;
+  const structures = secondaryCount === 'auto' ? candidates.filter(isCertain) : candidates;
+  const wanted = secondaryCount === 'auto' ? structures.length : secondaryCount;
+  const found = structures.slice(0, wanted);
+  found.forEach(({ group }, k) => {
+    for (const i of group.members) clusters[i] = Math.min(255, k + 1);
+  });
+  return { clusters, found, wanted };
 }
 
-interface Candidate extends FoundStructure {
-  readonly group: number;
+/** The structure a group is, or those in it once it is cut from the wall. */
+function candidatesOf(group: OffWallGroup, surroundings: Surroundings): Candidate[] {
+  const whole = candidateOf(group, surroundings);
+  if (whole) return [whole];
+  if (group.place !== 'touching') return [];
+  const parts = cutGroup(group, surroundings.slice, surroundings.faces);
+  return parts.flatMap((part) => candidateOf(part, surroundings) ?? []);
 }
 
-/** The points that do not hang together with the walls, without lone ones, and their numbers in the slice. */
-function freePoints(xy: Float64Array, primary: readonly Polygon[], cell: number) {
-  const groupOf = groupPoints(xy, cell);
-  const { start } = groupMembers(xy, groupOf);
-  const isWall = wallGroups(xy, groupOf, primary, WALL_CELLS * cell);
-  const isFree = (i: number) => {
-    const group = groupOf[i];
-    return isWall[group] === 0 && start[group + 1] - start[group] >= FEWEST_IN_CLUMP;
+function candidateOf(group: OffWallGroup, surroundings: Surroundings): Candidate | null {
+  const { slice, primary, faces, options, context } = surroundings;
+  if (group.members.length < FEWEST_POINTS) return null;
+  const points = pointsOf(slice.xy, group.members);
+  const found = outlineStructure(points, faces.noise, options, context);
+  if (!found || widthOf(found.outline) < LEAST_WIDTH || !isWithin(found.outline, primary)) return null;
+  const { outline, completion } = found;
+  if (group.place !== 'clear') {
+    if (completion !== 'none' || isWallPiece(outline) || widthOf(outline) < LEAST_CERTAIN_WIDTH) return null;
+    if (seenShare(outline, points, faces) < SEEN_SHARE) return null;
+  }
+  if (group.place === 'touching' && facingShare(outline, points, faces) < FACING_SHARE) return null;
+  const type = typeOf(outline, points);
+  return {
+    group,
+    completion,
+    outline,
+    type,
+    points: group.members.length,
+    isFilled: isFilled(outline, points),
   };
-  const source = Uint32Array.from(groupOf.keys()).filter(isFree);
-  return { xy: pickPoints(xy, isFree), source };
 }
 
-/** Group of each point: points in touching cells hang together. */
-function groupPoints(xy: Float64Array, cell: number): Uint32Array {
-  const table = new CellTable();
-  const cellOf = new Uint32Array(xy.length / 2);
-  for (let i = 0; i < cellOf.length; i++) {
-    cellOf[i] = table.add(Math.floor(xy[2 * i] / cell), Math.floor(xy[2 * i + 1] / cell), 0);
-  }
-  const component = joinTouchingCells(table);
-  return cellOf.map((at) => component[at]);
-}
-
-/** Points in the order of their groups, x, y each, and the first point of each group. */
-function groupMembers(xy: Float64Array, groupOf: Uint32Array) {
-  const groups = groupOf.reduce((most, group) => Math.max(most, group + 1), 0);
-  const start = new Uint32Array(groups + 1);
-  for (const group of groupOf) start[group + 1]++;
-  for (let group = 0; group < groups; group++) start[group + 1] += start[group];
-  const next = start.slice();
-  const members = new Float64Array(xy.length);
-  for (let i = 0; i < groupOf.length; i++) {
-    const at = next[groupOf[i]]++;
-    members[2 * at] = xy[2 * i];
-    members[2 * at + 1] = xy[2 * i + 1];
-  }
-  return { members, start };
-}
-
-/** Groups with a point near or outside the primary boundary. */
-function wallGroups(
-  xy: Float64Array,
-  groupOf: Uint32Array,
-  primary: readonly Polygon[],
-  reach: number,
-): Uint8Array {
-  const isWall = new Uint8Array(groupOf.length);
-  for (let i = 0; i < groupOf.length; i++) {
-    if (isWall[groupOf[i]] === 1) continue;
-    const [x, y] = [xy[2 * i], xy[2 * i + 1]];
-    const isInside = primary.some((polygon) => pointInPolygon(x, y, polygon) > 0);
-    if (!isInside || distanceToPolygons(x, y, primary) <= reach) isWall[groupOf[i]] = 1;
-  }
-  return isWall;
-}
-
-function isStructure(outline: Ring, primary: readonly Polygon[]): boolean {
+function isWithin(outline: Ring, primary: readonly Polygon[]): boolean {
   const [x, y] = centroid(outline);
-  const isInside = primary.some((polygon) => pointInPolygon(x, y, polygon) > 0);
-  return isInside && signedArea(outline) >= (LEAST_WIDTH * perimeter(outline)) / 2;
+  return primary.some((polygon) => pointInPolygon(x, y, polygon) > 0);
 }
 
-/** Compact structures before pieces of wall, then by area; of equals the one further left. */
+function widthOf(outline: Ring): number {
+  return (2 * signedArea(outline)) / perimeter(outline);
+}
+
+/**
+ * Faces around a hollow: no pole, no piece of wall, nothing filled with points, which may be furniture, and no side
+ * made up but of a column: larger things open to one side are partitions.
+ */
+function isCertain({ outline, completion, type, isFilled }: Candidate): boolean {
+  if (isWallPiece(outline) || isFilled || widthOf(outline) < LEAST_CERTAIN_WIDTH) return false;
+  return completion === 'none' || (completion === 'shape' && type === 'column');
+}
+
+/** Structures before pieces of wall, clear of the walls before touching, then by area; of equals the one further left. */
 function byLikelihood(a: Candidate, b: Candidate): number {
   const pieces = Number(isWallPiece(a.outline)) - Number(isWallPiece(b.outline));
-  return pieces || signedArea(b.outline) - signedArea(a.outline) || a.outline[0] - b.outline[0];
+  const atWall = Number(a.group.place !== 'clear') - Number(b.group.place !== 'clear');
+  return pieces || atWall || signedArea(b.outline) - signedArea(a.outline) || a.outline[0] - b.outline[0];
 }
 
 function isWallPiece(outline: Ring): boolean {

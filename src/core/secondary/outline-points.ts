@@ -8,31 +8,9 @@ import type { Options } from '../params.ts';
 import { simplifyRing } from '../regularise/simplify-ring.ts';
 import { passesOf } from '../regularise.ts';
 import type { Ring } from '../types.ts';
-import { completeShell } from './complete-shell.ts';
 
 /** Share of the squared extent below which points lie on a line. */
 const ROUNDING = 1e-9;
-
-/**
- * A concave outline with less than this share of the convex hull's area fell in through a side no scanner
- * saw.
- */
-const LEAST_FILL = 0.5;
-
-/**
- * Outer face of a structure that stands free: its concave outline; when one side of it was not seen, the
- * circle or rectangle its points lie on, else their convex hull.
- *
- * @param xy x, y a point, m
- * @returns null when the points enclose no area
- */
-export function outlineStructure(xy: Float64Array, options: Options, context: StageContext): Ring | null {
-  const concave = outlinePoints(xy, options, context);
-  const hull = convexHull(xy);
-  const whole = concave && completeShell(xy);
-  if (!concave || signedArea(concave) >= LEAST_FILL * signedArea(whole ?? hull)) return concave;
-  return whole ?? simplifyRing(hull, passesFor(options));
-}
 
 /**
  * Concave outline of some points by gift opening, regularised with the tolerance of secondary boundaries.
@@ -41,6 +19,15 @@ export function outlineStructure(xy: Float64Array, options: Options, context: St
  * @returns null when the points enclose no area
  */
 export function outlinePoints(xy: Float64Array, options: Options, context: StageContext): Ring | null {
+  const ring = concaveRing(xy, options, context);
+  if (!ring) return null;
+  const { secondaryEpsilon: epsilon, visvalingamEpsilon } = options;
+  const areaEpsilon = visvalingamEpsilon === 'auto' ? epsilon ** 2 : visvalingamEpsilon;
+  return simplifyRing(ring, { epsilon, areaEpsilon, passes: passesOf(options) });
+}
+
+/** Concave outline of some points by gift opening; null when they enclose no area. */
+export function concaveRing(xy: Float64Array, options: Options, context: StageContext): Ring | null {
   const points = distinctPoints(xy);
   if (points.length < 6) return null;
   const hull = convexHull(points);
@@ -49,13 +36,7 @@ export function outlinePoints(xy: Float64Array, options: Options, context: Stage
   const ownOptions: Options = { ...options, boundary: 'gift-opening', bridgeGap: 0 };
   const slice = { xy: points, band: [0, 0] as const, spacing: meanSpacing(points) };
   const { polygons } = findBoundary(slice, ownOptions, { ...context, warn: () => {} });
-  return simplifyRing(polygons[0].outer, passesFor(options));
-}
-
-function passesFor(options: Options) {
-  const { secondaryEpsilon: epsilon, visvalingamEpsilon } = options;
-  const areaEpsilon = visvalingamEpsilon === 'auto' ? epsilon ** 2 : visvalingamEpsilon;
-  return { epsilon, areaEpsilon, passes: passesOf(options) };
+  return polygons[0].outer;
 }
 
 function squaredExtent(ring: Ring): number {

@@ -7,6 +7,7 @@ import type { ClusterSearch, Polygon, Ring, SecondaryRound, Slice } from '../typ
 import { averageDistance } from './average-distance.ts';
 import { outlinePoints } from './outline-points.ts';
 import { pointsInStroke } from './points-in-stroke.ts';
+import { proposeCount } from './propose-count.ts';
 import {
   distanceToPolygons,
   type FoundStructure,
@@ -23,10 +24,10 @@ const HUGGING_SHARE = 0.9;
 /**
  * Secondary boundaries as the paper finds them ([Stojanovic19] §3.1, Algorithms 1 and 2).
  *
- * k-means with one cluster more than structures; the cluster with the most points is a structure's. With
- * several asked for, the next largest follow, without those that hug the primary boundary: one cluster is
- * left for the walls. Then GenerateSecondaryBounds and GenBoundary, in `secondaryRounds` rounds, each inside
- * the boundary of the one before.
+ * k-means with one cluster more than structures; the cluster with the most points is a structure's, unless
+ * `secondaryCluster` names another. With several asked for, the next largest follow, without those that hug the
+ * primary boundary: one cluster is left for the walls. Then GenerateSecondaryBounds and GenBoundary, in
+ * `secondaryRounds` rounds, each inside the boundary of the one before.
  */
 export function findByClusters(
   slice: Slice,
@@ -34,35 +35,99 @@ export function findByClusters(
   options: Options,
   context: StageContext,
 ): StructureSearch {
-  const clusters = clusterPoints(slice.xy, options.secondaryCount + 1, options.seed);
-  const random = createRandom(options.seed);
+  const { secondaryCount, seed } = options;
+  const wanted = secondaryCount === 'auto' ? proposeCount(slice.xy, seed) : secondaryCount;
+  const clusters = clusterPoints(slice.xy, wanted + 1, seed);
+  warnOfTooMany(clusters, wanted, context);
+  const random = createRandom(seed);
   const found: FoundStructure[] = [];
   const searches: ClusterSearch[] = [];
-  for (const cluster of structureClusters(slice, clusters, primary, options)) {
+  for (const cluster of structureClusters(slice, clusters, wanted, { primary, options, context })) {
     const points = pickPoints(slice.xy, (i) => clusters.clusterOf[i] === cluster);
     const centre = [clusters.centres[2 * cluster], clusters.centres[2 * cluster + 1]] as const;
     const { structure, rounds } = refine({ points, centre, random }, primary, options, context);
     searches.push({ cluster, rounds });
     if (structure) found.push(structure);
-    context.progress(searches.length / options.secondaryCount);
+    warnOfNoOutline(cluster, points.length / 2, rounds, context);
+    context.progress(searches.length / wanted);
   }
-  return { clusters: clusters.clusterOf, found, searches };
+  return { clusters: clusters.clusterOf, wanted, found, searches };
 }
 
-/** Numbers of the clusters taken for structures, most points first. */
+function warnOfTooMany({ sizes }: Clusters, wanted: number, context: StageContext): void {
+  if (sizes.length === wanted + 1) return;
+  context.warn({
+    code: 'secondary/too-many',
+    message: `${wanted} secondary boundaries need ${wanted + 1} clusters, but the slice has only ${sizes.length} distinct points.`,
+    hint: 'Ask for fewer secondary boundaries, or take a level with more points.',
+  });
+}
+
+/** A round without an outline ends the search; the one before it, if any, counts. */
+function warnOfNoOutline(
+  cluster: number,
+  points: number,
+  rounds: readonly SecondaryRound[],
+  context: StageContext,
+): void {
+  const { near, outline, innermost, result } = rounds[rounds.length - 1];
+  if (result) return;
+  const [left, hint] = outline
+    ? [`the ${innermost.length / 2} that the stroke leaves`, 'Try a thinner stroke, or the robust method.']
+    : [
+        `the ${near.length / 2} inside the boundary before and near its centre`,
+        'Pick another cluster, or ask for another number of secondary boundaries.',
+      ];
+  const end =
+    rounds.length === 1 ? 'it gives no secondary boundary' : `round ${rounds.length - 1} is taken instead`;
+  context.warn({
+    code: 'secondary/no-outline',
+    message: `Cluster ${cluster} has ${points} points, but in round ${rounds.length} ${left} enclose no area; ${end}.`,
+    hint,
+  });
+}
+
+interface ClusterChoice {
+  readonly primary: readonly Polygon[];
+  readonly options: Options;
+  readonly context: StageContext;
+}
+
+/** Numbers of the clusters taken for structures: the one picked first, then by points, most first. */
 function structureClusters(
-  { xy }: Slice,
+  slice: Slice,
   { clusterOf, sizes }: Clusters,
-  primary: readonly Polygon[],
-  { secondaryCount, strokeWidth }: Options,
+  wanted: number,
+  { primary, options, context }: ClusterChoice,
 ): number[] {
   const bySize = [...sizes.keys()].sort((a, b) => sizes[b] - sizes[a] || a - b);
-  if (secondaryCount === 1) return bySize.slice(0, 1);
+  const { secondaryCluster } = options;
+  if (secondaryCluster !== 'auto' && secondaryCluster >= sizes.length) {
+    context.warn({
+      code: 'secondary/no-such-cluster',
+      message: `Cluster ${secondaryCluster} was picked, but clusters are numbered from 0 to ${sizes.length - 1}; the one with the most points is taken.`,
+      hint: 'Pick one of them, or ask for more secondary boundaries.',
+    });
+  }
+  const picked = bySize.filter((cluster) => cluster === secondaryCluster);
+  const rest = bySize.filter((cluster) => cluster !== secondaryCluster);
+  if (wanted === 1) return [...picked, ...rest].slice(0, 1);
+  const isWall = wallClusters(slice, { clusterOf, sizes }, primary, options);
+  return [...picked, ...rest.filter((cluster) => !isWall[cluster])].slice(0, wanted);
+}
+
+/** Which clusters hug the primary boundary. */
+function wallClusters(
+  { xy }: Slice,
+  { clusterOf, sizes }: Pick<Clusters, 'clusterOf' | 'sizes'>,
+  primary: readonly Polygon[],
+  { strokeWidth }: Options,
+): boolean[] {
   const near = new Uint32Array(sizes.length);
   for (let i = 0; i < clusterOf.length; i++) {
     if (distanceToPolygons(xy[2 * i], xy[2 * i + 1], primary) <= strokeWidth) near[clusterOf[i]]++;
   }
-  return bySize.filter((k) => near[k] <= HUGGING_SHARE * sizes[k]).slice(0, secondaryCount);
+  return Array.from(sizes, (size, cluster) => near[cluster] > HUGGING_SHARE * size);
 }
 
 /** Points of one cluster, x, y each, and its k-means centre. */

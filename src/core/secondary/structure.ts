@@ -22,6 +22,8 @@ export interface FoundStructure {
 export interface StructureSearch {
   /** Cluster of each slice point. */
   readonly clusters: Uint8Array;
+  /** How many were asked for, or proposed. */
+  readonly wanted: number;
   readonly found: readonly FoundStructure[];
   /** How the paper's method came to them. */
   readonly searches?: readonly ClusterSearch[];

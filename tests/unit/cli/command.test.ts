@@ -83,6 +83,19 @@ describe('a good scan', () => {
     expect((await readdir(out)).sort()).toEqual(['hallway', 'home', 'home-2']);
     expect((await readdir(join(out, 'home-2'))).sort()).toEqual(['plan.geojson', 'report.json']);
   });
+
+  it('draws the stages when asked', async () => {
+    const out = join(folder, 'pictures');
+    const { exitCode } = await grundriss(hallway, '-o', out, '--formats', 'pictures');
+    expect(exitCode).toBe(0);
+    const names = (await readdir(out)).filter((name) => name.startsWith('picture-'));
+    expect(names).toHaveLength(8);
+    expect(names).toContain('picture-04-hull.svg');
+    expect(await readFile(join(out, 'picture-04-hull.svg'), 'utf8')).toMatch(/^<\?xml/);
+    const usual = join(folder, 'usual');
+    await grundriss(hallway, '-o', usual);
+    expect((await readdir(usual)).filter((name) => name.startsWith('picture-'))).toEqual([]);
+  });
 });
 
 describe('bad input', () => {

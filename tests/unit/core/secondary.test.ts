@@ -1,7 +1,14 @@
 import { describe, expect, test } from 'vitest';
+import { seededRandom } from '../../../fixtures/simulator/random.ts';
+import {
+  drawSlice,
+  PAPER_SLICES,
+  type PaperSliceName,
+  paperSlice,
+} from '../../../fixtures/simulator/slices.ts';
 import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
 import { findBoundary } from '../../../src/core/boundary.ts';
-import { centroid, polygonArea, signedArea } from '../../../src/core/geometry/rings.ts';
+import { centroid, pointInRing, polygonArea, signedArea } from '../../../src/core/geometry/rings.ts';
 import { meanSpacing } from '../../../src/core/geometry/spacing.ts';
 import { clusterPoints } from '../../../src/core/kmeans.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
@@ -9,11 +16,20 @@ import { createRandom, type Random } from '../../../src/core/random.ts';
 import { regulariseBoundary } from '../../../src/core/regularise.ts';
 import { averageDistance } from '../../../src/core/secondary/average-distance.ts';
 import { completeShell } from '../../../src/core/secondary/complete-shell.ts';
+import { fitSides } from '../../../src/core/secondary/fit-sides.ts';
 import { pointsInStroke } from '../../../src/core/secondary/points-in-stroke.ts';
+import { proposeCount } from '../../../src/core/secondary/propose-count.ts';
+import { findWallFaces } from '../../../src/core/secondary/wall-faces.ts';
 import { findSecondary } from '../../../src/core/secondary.ts';
 import type { Slice } from '../../../src/core/types.ts';
 import { expectValidPolygons, expectValidRing } from '../../invariants.ts';
 import { codesOf, listen, shuffled } from './made-scan.ts';
+
+const metres = (pixels: Float64Array) => pixels.map((value) => value / 100);
+
+function pointKeys(xy: Float64Array): string[] {
+  return Array.from({ length: xy.length / 2 }, (_, i) => `${xy[2 * i]} ${xy[2 * i + 1]}`);
+}
 
 type Given = Parameters<typeof resolveOptions>[0];
 
@@ -21,7 +37,12 @@ function run(xy: Float64Array, given: Given) {
   const options = resolveOptions(given);
   const slice: Slice = { xy, band: [0, 0], spacing: meanSpacing(xy) };
   const quiet = listen();
-  const regularised = regulariseBoundary(findBoundary(slice, options, quiet.context), slice, options);
+  const regularised = regulariseBoundary(
+    findBoundary(slice, options, quiet.context),
+    slice,
+    options,
+    quiet.context,
+  );
   const { context, warnings } = listen();
   const strokeTest = createStrokeTest();
   const result = findSecondary(slice, regularised, options, { ...context, strokeTest });
@@ -120,6 +141,63 @@ describe('robust', () => {
     expect(centroid(boundaries[0].outline.outer)[0]).toBeCloseTo(6.2, 1);
   });
 
+  test('a number left to it takes all structures, but no pieces of wall', () => {
+    const xy = room(rectangle(2, 2, 3, 0.12), rectangle(6, 3, 0.4, 0.4), circle(1.2, 1.5, 0.3));
+    const { boundaries, codes } = run(xy, { secondaryCount: 'auto' });
+    expect(boundaries.map(({ type }) => type)).toEqual(['column', 'column']);
+    expect(codes).toEqual([]);
+    expect(run(room(), { secondaryCount: 'auto' }).boundaries).toEqual([]);
+  });
+
+  test('a number left to it takes nothing filled with points, such as furniture, nor half a cubicle', () => {
+    const random = createRandom(7);
+    const sofa = Array.from({ length: 600 }, () => [2 + 1.6 * random(), 2 + 0.8 * random()]).flat();
+    const half = outlinePoints([5, 2, 7, 2, 7, 3.6], { count: 300, noise: 0.01, random }).slice(0, 2 * 190);
+    for (const points of [sofa, half]) {
+      const xy = Float64Array.from([...room(), ...points]);
+      expect(run(xy, { secondaryCount: 'auto' }).boundaries).toEqual([]);
+      expect(run(xy, { secondaryCount: 1 }).boundaries.length).toBe(1);
+    }
+  });
+
+  test('a column 0.1 m from a wall, or from two, stands free of them', () => {
+    for (const [x, y] of [
+      [3, 0.1],
+      [0.1, 0.1],
+    ]) {
+      const { boundaries, codes } = run(room(rectangle(x, y, 0.5, 0.5)), { secondaryCount: 'auto' });
+      expect(codes).toEqual([]);
+      expect(boundaries.length).toBe(1);
+      expect(polygonArea(boundaries[0].outline)).toBeCloseTo(0.25, 1);
+      expect(centroid(boundaries[0].outline.outer)[0]).toBeCloseTo(x + 0.25, 1);
+    }
+  });
+
+  test('a partition that grows out of a wall is no structure, drawn or scanned', () => {
+    const random = createRandom(2);
+    for (const noise of [0, 0.02]) {
+      const walls = outlinePoints(rectangle(0, 0, 8, 5), { count: 900, noise, random });
+      const [left, right] = [3, 3.3].map((x) =>
+        Array.from({ length: 60 }, (_, k) => [x + noise * (random() - 0.5), 0.02 * (k + 0.5)]).flat(),
+      );
+      const end = Array.from({ length: 15 }, (_, k) => [3 + 0.02 * k, 1.2]).flat();
+      const xy = Float64Array.from([...walls, ...left, ...right, ...end]);
+      expect(run(xy, { secondaryCount: 'auto' }).boundaries).toEqual([]);
+    }
+  });
+
+  test('what would cover the plan is left out, and said', () => {
+    const { boundaries, codes } = run(room(rectangle(0.5, 0.5, 7, 4)), { secondaryCount: 'auto' });
+    expect(boundaries).toEqual([]);
+    expect(codes).toEqual(['secondary/covers-plan', 'secondary/fewer-found']);
+  });
+
+  test('an epsilon larger than the structure leaves its shape', () => {
+    const { boundaries } = run(room(circle(3, 2.5, 0.3)), { secondaryCount: 1, secondaryEpsilon: 5 });
+    expect(polygonArea(boundaries[0].outline)).toBeCloseTo(Math.PI * 0.09, 1);
+    expect(boundaries[0].outline.outer.length / 2).toBeGreaterThan(5);
+  });
+
   test('none are sought when none are wanted', () => {
     expect(run(room(rectangle(3, 2, 0.6, 0.6)), { secondaryCount: 0 }).boundaries).toEqual([]);
   });
@@ -177,7 +255,158 @@ describe('paper', () => {
   });
 });
 
+describe('the search of the paper', () => {
+  const given: Given = { preset: 'paper', secondaryCount: 1, secondaryMethod: 'paper', secondaryRounds: 3 };
+
+  test('tells every round, each within the boundary of the one before', () => {
+    const slice = paperSlice('room-1a');
+    const { clusters, searches, boundaries, regularised } = run(metres(slice.xy), given);
+    expect(searches.length).toBe(1);
+    const [{ cluster, rounds }] = searches;
+    const members = new Set(pointKeys(metres(slice.xy).filter((_, i) => clusters[i >> 1] === cluster)));
+    let previous = regularised.polygons[0].outer;
+    for (const { near, outline, innermost, result } of rounds) {
+      expect(pointKeys(near).every((key) => members.has(key))).toBe(true);
+      const isNear = new Set(pointKeys(near));
+      expect(pointKeys(innermost).every((key) => isNear.has(key))).toBe(true);
+      expect(innermost.length).toBeLessThan(near.length);
+      for (let i = 0; i < near.length; i += 2)
+        expect(pointInRing(near[i], near[i + 1], previous)).toBeGreaterThan(0);
+      for (const ring of [outline, result]) if (ring) expectValidRing(ring);
+      if (result) previous = result;
+    }
+    expect(boundaries[0].outline.outer).toEqual(previous);
+    expect(rounds.length).toBeGreaterThan(1);
+  });
+
+  test('takes the cluster with the most points, or the one picked', () => {
+    const xy = metres(paperSlice('room-1a').xy);
+    const byItself = run(xy, given);
+    const sizes = [0, 1].map((k) => byItself.clusters.filter((cluster) => cluster === k).length);
+    expect(byItself.searches[0].cluster).toBe(sizes[0] > sizes[1] ? 0 : 1);
+    for (const cluster of [0, 1]) {
+      const picked = run(xy, { ...given, secondaryCluster: cluster });
+      expect(picked.searches.map((search) => search.cluster)).toEqual([cluster]);
+    }
+    const missing = run(xy, { ...given, secondaryCluster: 9 });
+    expect(missing.codes).toContain('secondary/no-such-cluster');
+    expect(missing.searches[0].cluster).toBe(byItself.searches[0].cluster);
+  });
+
+  test('a cluster picked comes first, the largest that hold more than walls follow', () => {
+    const xy = room(circle(2, 2.5, 0.4), rectangle(5.5, 2, 0.8, 0.8));
+    const { searches } = run(xy, { ...given, secondaryCount: 2, secondaryCluster: 2, secondaryRounds: 1 });
+    expect(searches[0].cluster).toBe(2);
+    expect(new Set(searches.map(({ cluster }) => cluster)).size).toBe(searches.length);
+  });
+
+  test('a number left to it is proposed by silhouette', () => {
+    const { searches } = run(metres(paperSlice('room-2').xy), { ...given, secondaryCount: 'auto' });
+    expect(searches.length).toBe(1);
+  });
+
+  test('more structures than points: said, and the plan goes on', () => {
+    const { boundaries, codes } = run(Float64Array.of(0, 0, 4, 0, 4, 3, 0, 3), {
+      ...given,
+      secondaryCount: 8,
+    });
+    expect(boundaries).toEqual([]);
+    expect(codes).toContain('secondary/too-many');
+    expect(codes.at(-1)).toBe('secondary/fewer-found');
+  });
+
+  test('a cluster on a line gives no outline, and says so', () => {
+    const random = createRandom(3);
+    const walls = outlinePoints(rectangle(0, 0, 8, 5), { count: 60, noise: 0, random });
+    const line = Array.from({ length: 100 }, (_, k) => [6 + 0.01 * k, 2.5]).flat();
+    const { boundaries, searches, codes } = run(Float64Array.from([...walls, ...line]), {
+      ...given,
+      secondaryCount: 2,
+    });
+    expect(boundaries).toEqual([]);
+    expect(searches[0].rounds).toMatchObject([{ outline: null, result: null }]);
+    expect(codes).toContain('secondary/no-outline');
+  });
+
+  test('a stroke over all points ends the rounds, and says so', () => {
+    const xy = metres(paperSlice('room-1a').xy);
+    const { boundaries, codes } = run(xy, { ...given, strokeWidth: 5 });
+    expect(boundaries).toEqual([]);
+    expect(codes).toEqual(['secondary/no-outline', 'secondary/fewer-found']);
+  });
+});
+
+describe('proposeCount', () => {
+  test('blobs are one more than the structures proposed', () => {
+    const random = createRandom(6);
+    for (const blobs of [2, 3, 5]) {
+      const xy = Float64Array.from({ length: 600 * blobs }, (_, i) => {
+        const blob = (i >> 1) % blobs;
+        const angle = (2 * Math.PI * blob) / blobs;
+        return 6 * (i % 2 === 0 ? Math.cos(angle) : Math.sin(angle)) + random();
+      });
+      expect(proposeCount(xy, 1)).toBe(blobs - 1);
+      expect(proposeCount(shuffled(xy, 2, createRandom(1)), 1)).toBe(blobs - 1);
+    }
+  });
+
+  test('two points suggest nothing', () => {
+    expect(proposeCount(Float64Array.of(0, 0, 1, 1, 0, 0), 1)).toBe(0);
+  });
+});
+
+describe('findWallFaces', () => {
+  test.each([0.005, 0.012, 0.03])('tells a noise of %s m, dense or sparse', (noise) => {
+    for (const points of [300, 3000]) {
+      const design = { points, primary: PAPER_SLICES['room-1a'].primary };
+      const xy = metres(drawSlice(design, seededRandom(4), 100 * noise).xy);
+      const slice = { xy, band: [0, 0] as const, spacing: meanSpacing(xy) };
+      const faces = findWallFaces(slice, resolveOptions({}), listen().context);
+      expect(faces.noise / noise).toBeGreaterThan(0.8);
+      expect(faces.noise / noise).toBeLessThan(1.25);
+      // The face lies in the middle of its points, not along the outermost: 0.6 m in x is 60 px.
+      expect(Math.abs(faces.heightAt(1.6, 2.4) - 1)).toBeLessThan(noise);
+      expect(faces.heightAt(0.4, 2.4)).toBeLessThan(0);
+    }
+  });
+});
+
+describe('fitSides', () => {
+  test('moves sides from the outermost points to the middle of the face', () => {
+    const random = seededRandom(5);
+    const design = {
+      points: 2000,
+      primary: [
+        [0, 0],
+        [100, 0],
+        [100, 80],
+        [0, 80],
+      ] as const,
+    };
+    const { xy } = drawSlice(design, random, 2);
+    const ring = fitSides(Float64Array.of(-5, -5, 105, -5, 105, 85, -5, 85), xy, 2);
+    expectValidRing(ring);
+    [0, 0, 100, 0, 100, 80, 0, 80].forEach((value, i) => {
+      expect(Math.abs(ring[i] - value)).toBeLessThan(0.5);
+    });
+  });
+});
+
 describe('pointsInStroke', () => {
+  test.each(Object.keys(PAPER_SLICES) as PaperSliceName[])(
+    'agrees with the canvas on every point of %s, along its own outline',
+    (name) => {
+      const strokeTest = createStrokeTest();
+      const xy = metres(paperSlice(name).xy);
+      const options = resolveOptions({ preset: 'paper' });
+      const slice: Slice = { xy, band: [0, 0], spacing: meanSpacing(xy) };
+      const ring = findBoundary(slice, options, listen().context).polygons[0].outer;
+      const mixed = pointsInStroke(xy, ring, { width: 0.1, pixelsPerMetre: 100, strokeTest });
+      expect(mixed).toEqual(askCanvas(xy, ring, strokeTest));
+      expect(mixed.reduce((sum, value) => sum + value, 0)).toBeGreaterThan(100);
+    },
+  );
+
   test('agrees with the canvas on every point', () => {
     const strokeTest = createStrokeTest();
     let edges = 0;
@@ -264,7 +493,10 @@ describe('averageDistance', () => {
     expect(averageDistance(Float64Array.of(0, 0, 3, 4), 1, random)).toBe(5);
     const square = Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1);
     expect(averageDistance(square, 1, random)).toBeCloseTo((4 + 2 * Math.SQRT2) / 6, 12);
-    expect(averageDistance(square, 0.25, random)).toBe(0);
+    expect(averageDistance(Float64Array.of(3, 3), 1, random)).toBe(0);
+    // A share that leaves one point still compares two.
+    expect([1, Math.SQRT2]).toContainEqual(averageDistance(square, 0.25, random));
+    expect(averageDistance(Float64Array.of(0, 0, 3, 4), 0.05, random)).toBe(5);
   });
 
   test('of a random sample comes near that of all', () => {

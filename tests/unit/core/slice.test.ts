@@ -12,16 +12,38 @@ function run(points: ArrayLike<number>, given: Parameters<typeof resolveOptions>
   return makeSlice(cloud, everyIndex(cloud), BAND, resolveOptions(given));
 }
 
-test('keeps real points, one a cell, no more than asked for', () => {
+test('keeps one point a cell, the mean of those in it, no more than asked for', () => {
   const { xy, band } = run(ROOM, { samplesPer50M2: 2000 });
   const wanted = (7 * 5 * 2000) / 50;
   expect(band).toEqual(BAND);
   expect(xy.length / 2).toBeGreaterThan(0.6 * wanted);
   expect(xy.length / 2).toBeLessThan(1.15 * wanted);
-  const real = new Set<string>();
-  const positions = Float32Array.from(ROOM);
-  for (let i = 0; i < positions.length; i += 3) real.add(`${positions[i]} ${positions[i + 1]}`);
-  for (let i = 0; i < xy.length; i += 2) expect(real.has(`${xy[i]} ${xy[i + 1]}`)).toBe(true);
+});
+
+test('a cell with one point keeps it, a cell with several their mean, to an eight-thousandth of its edge', () => {
+  const { xy } = run([0, 0, 1, 5, 3, 1, 5.001, 3, 1, 5.002, 3.006, 2], { samplesPer50M2: 100 });
+  const expected = [0, 0, 5.001, 3.002];
+  expect(xy.length).toBe(4);
+  for (let i = 0; i < 4; i++) expect(Math.abs(xy[i] - expected[i])).toBeLessThan(Math.SQRT1_2 / 8000);
+});
+
+test('the few points beside a dense wall are its noise, as few points elsewhere are not', () => {
+  const wall = Array.from({ length: 3000 }, (_, k) => [(k % 100) / 25, 0, 1]).flat();
+  const beside = [1.02, 0.1, 1];
+  const apart = [1.02, 0.5, 1];
+  const { xy } = run([...wall, ...beside, ...apart], { samplesPer50M2: 5000 });
+  const heights = new Set([...xy].filter((_, i) => i % 2 === 1).map((y) => Math.round(10 * y) / 10));
+  expect(heights).toEqual(new Set([0, 0.5]));
+});
+
+test('far points are told apart in a table as near ones in a box', () => {
+  const wall = Array.from({ length: 300 }, (_, k) => [k / 100, (k % 7) / 1000, 1]).flat();
+  const near = run([...wall, 0, 9, 1]).xy;
+  // So wide that the box has more cells than any array.
+  const far = run([...wall, 0, 900, 1]).xy;
+  expect(far.length).toBe(near.length);
+  for (let i = 0; i < near.length - 2; i++) if (near[i] < 8.9) expect(far[i]).toBeCloseTo(near[i], 5);
+  expect(run([0, 0, 1, 1e6, 0, 1, 0, 1e6, 1]).xy.length).toBe(6);
 });
 
 test('does not depend on the order of the points', () => {

@@ -16,6 +16,15 @@ it('a whole slide is one step back', () => {
   expect(given.now).toEqual({ wallThickness: 0.3, seed: 2 });
 });
 
+it('a preset takes the place of all but what was said of the scan, as one step', () => {
+  const given = new GivenOptions();
+  given.replace({ unit: 'cm', up: 'y', wallThickness: 0.4, boundary: 'convex' });
+  given.takePreset('paper');
+  expect(given.now).toEqual({ unit: 'cm', up: 'y', preset: 'paper' });
+  given.undo();
+  expect(given.now).toEqual({ unit: 'cm', up: 'y', wallThickness: 0.4, boundary: 'convex' });
+});
+
 it('a slide that ends where it began is no step', () => {
   const given = new GivenOptions();
   given.replace({ wallThickness: 0.2 });

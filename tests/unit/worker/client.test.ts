@@ -1,5 +1,6 @@
 import { expect, it } from 'vitest';
 import { PlanClient } from '../../../src/worker/client.ts';
+import type { Evidence } from '../../../src/worker/protocol.ts';
 
 // Node has no Worker, so the client ends on its own thread: the real protocol, server and session answer.
 
@@ -78,6 +79,86 @@ it('after a load that fails the scan before is still there', async () => {
   });
   const [file] = await client.export('svg');
   expect(await file.blob.text()).toBe(shown.drawings[0]);
+});
+
+it('draws the pictures of the plan, each once as long as its stage stands', async () => {
+  const client = new PlanClient();
+  const view = await client.load(room(4), 'room.csv');
+  const names = view.pictures.map(({ name }) => name);
+  expect(names).toEqual(expect.arrayContaining(['slice', 'hull', 'plan', 'model']));
+  for (const name of names) expect(await client.picture(name, 'plan')).toContain(`data-picture="${name}"`);
+  expect(await client.picture('clusters', 'plan')).toBeNull();
+  expect(await client.picture('toString', 'plan')).toBeNull();
+  const [hull, plan] = [await client.picture('hull', 'plan'), await client.picture('plan', 'plan')];
+  const changed = await client.update({ wallThickness: 0.5 });
+  expect(await client.picture('hull', 'plan')).toBe(hull);
+  expect(await client.picture('plan', 'plan')).not.toBe(plan);
+  const facts = (name: string) => changed.pictures.find((picture) => picture.name === name);
+  expect(facts('hull')?.outcome).toMatch(/vertices/);
+  expect(facts('hull')?.ms).toBe(view.stages.find(({ name }) => name === 'boundary')?.ms);
+});
+
+it('a run that fails tells which stage, and its pictures up to there can be had beside those of the plan', async () => {
+  const evidence: Evidence[] = [];
+  const client = new PlanClient({ onEvidence: (given) => evidence.push(given) });
+  const view = await client.load(room(4), 'room.csv');
+  const hull = await client.picture('hull', 'plan');
+  await expect(client.update({ boundary: 'alpha-shape', alpha: 0.001 })).rejects.toMatchObject({
+    code: 'result/no-boundary',
+  });
+  expect(evidence).toHaveLength(1);
+  expect(evidence[0].stage).toBe('boundary');
+  expect(evidence[0].pictures.at(-1)?.name).toBe('slice');
+  expect(await client.picture('slice', 'failed')).toContain('data-picture="slice"');
+  expect(await client.picture('hull', 'failed')).toBeNull();
+  expect(await client.picture('hull', 'plan')).toBe(hull);
+  await client.update(view.options);
+  expect(await client.picture('slice', 'failed')).toBeNull();
+});
+
+it('puts another plan beside the one shown, which stays', async () => {
+  const client = new PlanClient();
+  const shown = await client.load(room(4), 'room.csv');
+  const stages: string[] = [];
+  const request = { options: { boundary: 'convex' }, labels: ['Gift opening', 'Convex'] } as const;
+  const comparison = await client.compare(request, ({ stage }) => stages.push(stage));
+  expect(comparison).toMatchObject({ subject: 'primary', there: { vertices: 4 } });
+  expect(comparison.iou).toBeGreaterThan(0.98);
+  expect(comparison.here.areaM2).toBeCloseTo(shown.report.boundary.areaM2, 3);
+  expect(comparison.overlaid).toContain('Convex');
+  expect(comparison.beside).not.toBe(comparison.overlaid);
+  expect(stages).toContain('boundary');
+  expect(stages).not.toContain('slice');
+  const [file] = await client.export('svg');
+  expect(await file.blob.text()).toBe(shown.drawings[0]);
+});
+
+it('a comparison can be stopped, is overtaken by the next, and falls to an update', async () => {
+  const client = new PlanClient();
+  await client.load(room(4), 'room.csv');
+  const request = (boundary: 'convex' | 'concaveman') =>
+    ({ options: { boundary }, labels: ['', ''] }) as const;
+  const stopped = expect(client.compare(request('convex'))).rejects.toMatchObject(cancelled);
+  await Promise.resolve();
+  client.stopComparing();
+  await stopped;
+  const overtaken = expect(client.compare(request('convex'))).rejects.toMatchObject(cancelled);
+  expect((await client.compare(request('concaveman'))).iou).toBeGreaterThan(0.9);
+  await overtaken;
+  const fallen = expect(client.compare(request('convex'))).rejects.toMatchObject(cancelled);
+  await Promise.resolve();
+  await client.update({ wallThickness: 0.3 });
+  await fallen;
+});
+
+it('after a cancelled load the scan before is read again for a picture', async () => {
+  const client = new PlanClient();
+  await client.load(room(4), 'a.csv');
+  const hull = await client.picture('hull', 'plan');
+  const stopped = expect(client.load(room(6), 'b.csv')).rejects.toMatchObject(cancelled);
+  client.cancel();
+  await stopped;
+  expect(await client.picture('hull', 'plan')).toBe(hull);
 });
 
 it('without a scan there is nothing to change or to write', async () => {

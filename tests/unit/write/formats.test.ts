@@ -17,6 +17,9 @@ test('one storey: the names people build on', async () => {
     'plan.frame.json',
     'slice.csv',
     'rooms.csv',
+    'picture-03-slice.svg',
+    'picture-13-plan.svg',
+    'picture-14-model.svg',
   ]);
 });
 

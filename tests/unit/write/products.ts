@@ -1,3 +1,4 @@
+import type { Slice } from '../../../src/core/types.ts';
 import { makeSolid } from '../../../src/solid/make-solid.ts';
 import type { Product } from '../../../src/write/plan-writer.ts';
 import { type PlanFacts, planOf, rectangle, ring, secondary, wallAround } from '../solid/plans.ts';
@@ -8,7 +9,8 @@ export async function productOf(facts: PlanFacts = {}, name = 'room'): Promise<P
   const plan = planOf(facts);
   const solid = await makeSolid(plan, plan.options);
   const xy = plan.storeys.flatMap(({ primary }) => [...primary[0].outer]);
-  return { name, plan, slice: { xy: Float64Array.from(xy), band: [1, 2], spacing: 0.02 }, solid };
+  const slice: Slice = { xy: Float64Array.from(xy), band: [1, 2], spacing: 0.02 };
+  return { name, plan, slice, solid, results: { slice, plan, solid } };
 }
 
 /** An L-shaped home of 12 m × 9 m with a column, a shaft and one gap in its wall. */

@@ -73,6 +73,21 @@ describe('convexHull', () => {
     );
   });
 
+  it('is what a monotone chain finds, for sets large enough to be sorted out first', () => {
+    const at = (k: number) => (2 * Math.PI * k) / 3_000;
+    const shapes: ((k: number) => [number, number])[] = [
+      (k) => [Math.cos(at(k)), Math.sin(at(k))],
+      (k) => [k % 60, Math.floor(k / 60)],
+      (k) => [k % 60, (k % 60) / 3 + (k % 7) * Number.EPSILON],
+      (k) => [Math.sin(k * 12.9898) % 1, Math.sin(k * 78.233) % 1],
+      (k) => [((k % 60) * 3 - Math.floor(k / 60)) / 7, ((k % 60) + 3 * Math.floor(k / 60)) / 7],
+    ];
+    for (const shape of shapes) {
+      const xy = Float64Array.from(Array.from({ length: 3_000 }, (_, k) => shape(k)).flat());
+      expect(pairsOf(convexHull(xy))).toEqual(monotoneChain(xy));
+    }
+  });
+
   it('has fewer than three vertices for points on one line', () => {
     expect([...convexHull(Float64Array.of(0, 0, 1, 1, 2, 2, 3, 3))]).toEqual([0, 0, 3, 3]);
     expect(convexHull(Float64Array.of(1, 1, 1, 1)).length).toBe(2);
@@ -132,6 +147,20 @@ describe('meanSpacing', () => {
     expect(meanSpacing(many) / (sum / grid.x.length)).toBeCloseTo(1, 1.7);
   });
 });
+
+/** Andrew's hull, counter-clockwise from the leftmost, lowest point. */
+function monotoneChain(xy: Float64Array): [number, number][] {
+  const all = pairsOf(distinctPoints(xy));
+  const half = (points: readonly [number, number][]) => {
+    const chain: [number, number][] = [];
+    for (const p of points) {
+      while (chain.length > 1 && orientation(...chain.at(-2)!, ...chain.at(-1)!, ...p) <= 0) chain.pop();
+      chain.push(p);
+    }
+    return chain.slice(0, -1);
+  };
+  return [...half(all), ...half(all.toReversed())];
+}
 
 function pairsOf(ring: Float64Array): [number, number][] {
   return Array.from({ length: ring.length / 2 }, (_, k): [number, number] => [ring[2 * k], ring[2 * k + 1]]);

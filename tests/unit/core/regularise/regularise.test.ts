@@ -24,30 +24,43 @@ const ELL: Path = [
   [3, 5],
   [0, 5],
 ];
+const SMALL: Path = [
+  [0, 0],
+  [2, 0],
+  [2, 1.5],
+  [0, 1.5],
+];
 const slice = asSlice(scanWalls({ walls: [closed(ELL)], perMetre: 200, noise: 0.006, seed: 1 }));
 const boundary = findBoundary(slice, optionsWith(), listeningContext());
-const run = (given: Partial<Options> = {}) => regulariseBoundary(boundary, slice, optionsWith(given));
+const run = (given: Partial<Options> = {}) =>
+  regulariseBoundary(boundary, slice, optionsWith(given), listeningContext());
 
 describe('regulariseBoundary', () => {
   it('straightens an L to a few vertices and keeps its shape', () => {
     const { passes, polygons } = run();
-    expect(passes.map(({ name }) => name)).toEqual(['radial', 'douglas-peucker', 'visvalingam']);
-    expect(passes[2].polygons).toBe(polygons);
+    expect(passes.map(({ name }) => name)).toEqual(['radial', 'douglas-peucker', 'visvalingam', 'corners']);
+    expect(passes[3].polygons).toBe(polygons);
     for (const pass of passes) expectValidPolygons(pass.polygons);
     expect(polygons[0].outer.length / 2).toBeLessThan(20);
     expect(intersectionOverUnion(polygons[0].outer, ringOf(ELL))).toBeGreaterThan(0.98);
   });
 
   it('shows each pass by itself and runs only those switched on', () => {
-    const { passes } = run({ radialPass: false, visvalingamPass: false });
+    const { passes } = run({ radialPass: false, visvalingamPass: false, cornerPass: false });
     expect(passes.map(({ name }) => name)).toEqual(['douglas-peucker']);
-    const none = run({ radialPass: false, douglasPeuckerPass: false, visvalingamPass: false });
+    const none = run({
+      radialPass: false,
+      douglasPeuckerPass: false,
+      visvalingamPass: false,
+      cornerPass: false,
+    });
     expect(none.passes).toEqual([]);
     expect(none.polygons).toBe(boundary.polygons);
   });
 
   it('drops more the larger its tolerances', () => {
-    const vertices = (given: Partial<Options>) => run(given).polygons[0].outer.length;
+    const vertices = (given: Partial<Options>) =>
+      run({ ...given, cornerPass: false }).polygons[0].outer.length;
     expect(vertices({ epsilon: 0.5 })).toBeLessThan(vertices({ epsilon: 0.01 }));
     expect(vertices({ epsilon: 0.02, visvalingamEpsilon: 0.5 })).toBeLessThan(
       vertices({ epsilon: 0.02, visvalingamEpsilon: 0 }),
@@ -83,7 +96,7 @@ describe('regulariseBoundary', () => {
     };
     expectValidPolygons(wall.polygons);
     for (const epsilon of [0.01, 0.05, 0.1, 0.15, 0.2, 0.5, 1, 5]) {
-      const { passes } = regulariseBoundary(wall, slice, optionsWith({ epsilon }));
+      const { passes } = regulariseBoundary(wall, slice, optionsWith({ epsilon }), listeningContext());
       for (const pass of passes) expectValidPolygons(pass.polygons);
     }
   });
@@ -99,8 +112,30 @@ describe('regulariseBoundary', () => {
     };
     expectValidPolygons(plate.polygons);
     for (const epsilon of [0.1, 0.5, 2]) {
-      expectValidPolygons(regulariseBoundary(plate, slice, optionsWith({ epsilon })).polygons);
+      expectValidPolygons(
+        regulariseBoundary(plate, slice, optionsWith({ epsilon }), listeningContext()).polygons,
+      );
     }
+  });
+});
+
+describe('tolerances larger than the shape', () => {
+  it.each([
+    [{ epsilon: 10 }, ['regularise/epsilon-too-large']],
+    [{ epsilon: 0.05, visvalingamEpsilon: 10 }, ['regularise/epsilon-too-large']],
+    [
+      { radialPass: false, douglasPeuckerPass: false, visvalingamEpsilon: 10 },
+      ['regularise/epsilon-too-large'],
+    ],
+    [{ epsilon: 0.3 }, []],
+    [{}, []],
+  ])('leave a valid ring and say so: %j', (given, codes) => {
+    const small = asSlice(scanWalls({ walls: [closed(SMALL)], perMetre: 200, noise: 0.004, seed: 3 }));
+    const context = listeningContext();
+    const hull = findBoundary(small, optionsWith(), context);
+    const { passes } = regulariseBoundary(hull, small, optionsWith(given), context);
+    expect(context.warnings.map(({ code }) => code)).toEqual(codes);
+    for (const { polygons } of passes) expectValidPolygons(polygons);
   });
 });
 

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { viridis } from '../../../src/view/viridis.ts';
+import { viridis } from '../../../src/write/pictures/viridis.ts';
 
 it('runs from dark purple to yellow, ever lighter, and stays within its ends', () => {
   expect(viridis(0)).toEqual([0x44, 0x01, 0x54]);

@@ -1,0 +1,216 @@
+import { buildPointGrid } from '../geometry/point-grid.ts';
+import { distinctPoints } from '../geometry/point-order.ts';
+import { squaredDistanceToSegment } from '../geometry/segments.ts';
+import type { Ring, Slice } from '../types.ts';
+import { stripAlong } from './chain-strip.ts';
+import { placesIn } from './places-in.ts';
+import { type RingDraft, settleRings } from './settle-rings.ts';
+import { StripPoints } from './strip-points.ts';
+import {
+  distanceToLine,
+  fitWallLine,
+  meetingOf,
+  type Point,
+  projectOnto,
+  type WallLine,
+} from './wall-line.ts';
+
+/** Points nearer across than this many mean spacings are not told apart … */
+const BANDWIDTH_SPACINGS = 2;
+/** … nor than this, m: above the noise of a scanner, a third of the thinnest wall's thickness. */
+const LEAST_BANDWIDTH = 0.025;
+/** Points of a face lie up to this many bandwidths behind the hull: the far side of the noise. */
+const REACH = 3;
+/** A corner is at most this many bandwidths from where it was: further off, the lines do not belong together. */
+const FARTHEST_CORNER = 4;
+/** Edges shorter than this many bandwidths have no direction of their own. */
+const SHORTEST_EDGE = 2;
+/** Steps of this many standard deviations of a wall's points are noise. */
+const NOISE = 2;
+/** A merged edge is fitted again and may merge again. */
+const MOST_ROUNDS = 4;
+
+/**
+ * Restores the corners that simplification cut, and takes off the outer noise the outline stands on. Ours; the paper
+ * names lost corners as its weakness ([Stojanovic19] §5).
+ *
+ * To each edge a line is fitted by the points it stands for, and neighbouring lines meet in the new vertex. Where they
+ * are nearly parallel, as in a gentle bend, the old vertex is projected onto both. An edge without points, a bridged gap,
+ * stays straight between its ends. A vertex within the noise of a straight wall goes, and so does an edge that cuts a
+ * corner: one too short to have a direction, or no further from the corner than the noise.
+ *
+ * @param rings simplified
+ * @param hulls the rings they were simplified from: no point that an edge stands for lies outside its stretch of hull
+ * @returns rings as valid as those given: where a moved vertex would make edges cross it stays. O(points).
+ */
+export function restoreCorners(
+  rings: readonly Ring[],
+  hulls: readonly Ring[],
+  { xy, spacing }: Slice,
+): readonly Ring[] {
+  if (xy.length === 0) return rings;
+  const bandwidth = Math.max(LEAST_BANDWIDTH, BANDWIDTH_SPACINGS * spacing);
+  const points = new StripPoints(buildPointGrid(distinctPoints(xy), bandwidth));
+  const drafts = rings.map((ring, r) => new Refining(ring, hulls[r], points, bandwidth).draft());
+  return settleRings(rings, drafts);
+}
+
+/** One ring; an edge goes by the place of its first vertex in `kept`. */
+class Refining {
+  private readonly ring: Ring;
+  private readonly hull: Ring;
+  /** Number in the hull of each vertex. */
+  private readonly places: readonly number[];
+  private readonly points: StripPoints;
+  private readonly bandwidth: number;
+  private readonly fitted = new Map<number, WallLine | null>();
+  private kept: readonly number[];
+  private lines: readonly (WallLine | null)[];
+  /** New places of the vertices kept. */
+  private corners: readonly Point[];
+
+  constructor(ring: Ring, hull: Ring, points: StripPoints, bandwidth: number) {
+    this.ring = ring;
+    this.hull = hull;
+    this.places = placesIn(hull, ring);
+    this.points = points;
+    this.bandwidth = bandwidth;
+    this.kept = verticesFromFirst(ring);
+    this.lines = this.fitLines();
+    this.corners = this.placeCorners();
+  }
+
+  draft(): RingDraft {
+    for (let round = 0; round < MOST_ROUNDS; round++) {
+      const needless = this.needless();
+      if (needless.size === 0) break;
+      this.kept = this.kept.filter((_, k) => !needless.has(k));
+      this.lines = this.fitLines();
+      this.corners = this.placeCorners();
+    }
+    const moved = new Map(this.kept.map((vertex, k) => [vertex, this.corners[k]]));
+    return { kept: [...this.kept].sort((a, b) => a - b), moved };
+  }
+
+  private fitLines(): (WallLine | null)[] {
+    return this.kept.map((from, k) => {
+      const to = this.kept[this.after(k)];
+      const key = from * this.ring.length + to;
+      let line = this.fitted.get(key);
+      if (line === undefined) {
+        line = this.fitLine(from, to);
+        this.fitted.set(key, line);
+      }
+      return line;
+    });
+  }
+
+  private fitLine(from: number, to: number): WallLine | null {
+    const { bandwidth } = this;
+    const length = distance(this.vertex(from), this.vertex(to));
+    if (length < SHORTEST_EDGE * bandwidth) return null;
+    const strip = stripAlong(this.chainBetween(from, to), bandwidth, REACH * bandwidth);
+    if (strip === null) return null;
+    this.points.gather(strip);
+    return fitWallLine(this.points, strip, bandwidth);
+  }
+
+  private placeCorners(): Point[] {
+    return this.kept.map((vertex, k) => {
+      const old = this.vertex(vertex);
+      const [one, other] = [this.lines[this.before(k)], this.lines[k]];
+      if (one === null || other === null) {
+        const only = one ?? other;
+        return only === null ? old : projectOnto(only, old);
+      }
+      const corner = meetingOf(one, other);
+      if (corner !== null && distance(corner, old) <= FARTHEST_CORNER * this.bandwidth) return corner;
+      const [p, q] = [projectOnto(one, old), projectOnto(other, old)];
+      return [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2];
+    });
+  }
+
+  /** Places in `kept` of vertices that can go, never two in a row: small steps must not add up. */
+  private needless(): Set<number> {
+    const found = new Set<number>();
+    for (let k = 0; k < this.kept.length && this.kept.length - found.size > 3; k++) {
+      if (found.has(this.before(k)) || found.has(this.after(k))) continue;
+      if (this.isFlat(k) || this.endsCutCorner(k)) found.add(k);
+    }
+    return found;
+  }
+
+  /** Whether vertex k lies on one straight wall, but for the noise. */
+  private isFlat(k: number): boolean {
+    const [one, other] = [this.lines[this.before(k)], this.lines[k]];
+    if (one === null || other === null || !isOnwards(one, other)) return false;
+    const [before, after] = [this.corners[this.before(k)], this.corners[this.after(k)]];
+    return squaredDistanceToSegment(...this.corners[k], ...before, ...after) <= noiseOf(one, other) ** 2;
+  }
+
+  /** Whether the edge that ends at vertex k stands where the lines beside it meet, or are one. */
+  private endsCutCorner(k: number): boolean {
+    const edge = this.before(k);
+    const [one, line, other] = [this.lines[this.before(edge)], this.lines[edge], this.lines[k]];
+    if (one === null || other === null) return false;
+    const [a, b] = [this.vertex(this.kept[edge]), this.vertex(this.kept[k])];
+    const reach = FARTHEST_CORNER * this.bandwidth;
+    if (distance(a, b) > reach) return false;
+    const noise = noiseOf(one, other);
+    const corner = meetingOf(one, other);
+    if (corner === null) {
+      const steps = Math.max(Math.abs(distanceToLine(one, b)), Math.abs(distanceToLine(other, a)));
+      return isOnwards(one, other) && steps <= noise;
+    }
+    if (line !== null) return squaredDistanceToSegment(...corner, ...a, ...b) <= noise ** 2;
+    return distance(corner, a) <= reach && distance(corner, b) <= reach;
+  }
+
+  /** The stretch of hull an edge stands for. */
+  private chainBetween(from: number, to: number): Float64Array {
+    const n = this.hull.length / 2;
+    const steps = (this.places[to] - this.places[from] + n) % n;
+    const chain = new Float64Array(2 * steps + 2);
+    for (let k = 0; k <= steps; k++) {
+      const v = (this.places[from] + k) % n;
+      chain[2 * k] = this.hull[2 * v];
+      chain[2 * k + 1] = this.hull[2 * v + 1];
+    }
+    return chain;
+  }
+
+  private vertex(v: number): Point {
+    return [this.ring[2 * v], this.ring[2 * v + 1]];
+  }
+
+  private before(k: number): number {
+    return (k + this.kept.length - 1) % this.kept.length;
+  }
+
+  private after(k: number): number {
+    return (k + 1) % this.kept.length;
+  }
+}
+
+function isOnwards(a: WallLine, b: WallLine): boolean {
+  return a.ux * b.ux + a.uy * b.uy > 0;
+}
+
+function noiseOf(a: WallLine, b: WallLine): number {
+  return NOISE * Math.max(a.deviation, b.deviation);
+}
+
+function distance(a: Point, b: Point): number {
+  return Math.hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+/** All vertices, from the first by x, then y: what is found must not depend on where the ring starts. */
+function verticesFromFirst(ring: Ring): number[] {
+  const n = ring.length / 2;
+  let first = 0;
+  for (let v = 1; v < n; v++) {
+    const [dx, dy] = [ring[2 * v] - ring[2 * first], ring[2 * v + 1] - ring[2 * first + 1]];
+    if (dx < 0 || (dx === 0 && dy < 0)) first = v;
+  }
+  return Array.from({ length: n }, (_, k) => (first + k) % n);
+}

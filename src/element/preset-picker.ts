@@ -1,0 +1,42 @@
+import { type Options, PARAMS } from '../core/params.ts';
+import { make, setText } from './make.ts';
+import type { Actions, Panel } from './model.ts';
+import { sayChoice } from './plain-words.ts';
+import { makeSwitch } from './switch.ts';
+
+type Preset = Options['preset'];
+
+const PROMISES: Readonly<Record<Exclude<Preset, 'auto'>, string>> = {
+  building: 'Every parameter has its value for 3D scans of buildings',
+  paper: 'Every parameter has the value of the paper, its pixels turned into metres by “Pixels per metre”',
+};
+
+/** The start values of all parameters, one click each. */
+export function makePresetPicker(actions: Actions): Panel {
+  const { label, doc, choices } = PARAMS.preset;
+  const labels = Object.fromEntries(choices.map((choice) => [choice, sayChoice(choice)]));
+  const picker = makeSwitch<Preset>(label, labels as Record<Preset, string>, (preset) =>
+    actions.setPreset(preset),
+  );
+  const words = make('p', { class: 'hint' });
+  return {
+    node: make(
+      'div',
+      { class: 'preset', 'data-param': 'preset' },
+      make('div', { class: 'preset-line' }, make('span', {}, label), picker.node),
+      words,
+    ),
+    show({ given, options, view }) {
+      const preset = given.preset ?? 'auto';
+      picker.set(preset);
+      const others = Object.keys(given).length - (given.preset === undefined ? 0 : 1);
+      if (preset !== 'auto') setText(words, `${PROMISES[preset]}${exceptions(others)}.`);
+      else setText(words, view ? `${doc} Now: ${options.preset}.` : doc);
+    },
+  };
+}
+
+function exceptions(count: number): string {
+  if (count === 0) return '';
+  return count === 1 ? ', but for one set by hand' : `, but for ${count} set by hand`;
+}

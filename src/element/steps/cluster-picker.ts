@@ -1,0 +1,92 @@
+import { type GivenValues, PARAMS } from '../../core/params.ts';
+import { formatCount } from '../../view/measure.ts';
+import { clusterColour } from '../../write/pictures/palette.ts';
+import { make, setAttribute } from '../make.ts';
+import type { Actions, Model, Panel } from '../model.ts';
+
+/** The parameter a picked cluster is given to. */
+const PICKED = 'secondaryCluster';
+
+/**
+ * The hand's part in [Stojanovic19] §3.1: which cluster holds the structure, and one more round of refinement. Shown
+ * beside the pictures of the structures; both are parameters, so undo takes them back.
+ */
+export class ClusterPicker implements Panel {
+  readonly node: HTMLElement;
+  readonly #actions: Actions;
+  readonly #list = make('div', {
+    class: 'cluster-list',
+    role: 'group',
+    'aria-label': 'Cluster of the structure',
+  });
+  readonly #refine: HTMLButtonElement;
+  #rounds = 1;
+  #clusters: Uint8Array | null = null;
+
+  constructor(actions: Actions) {
+    this.#actions = actions;
+    this.#refine = make(
+      'button',
+      {
+        type: 'button',
+        class: 'button',
+        testid: 'refine',
+        title: PARAMS.secondaryRounds.doc,
+        on: { click: () => actions.change({ secondaryRounds: this.#rounds + 1 }, true) },
+      },
+      'Refine once more',
+    );
+    this.node = make('div', { class: 'cluster-picker', hidden: true }, this.#list, this.#refine);
+  }
+
+  show({ steps, view, options }: Model): void {
+    const clusters = view?.secondary.clusters;
+    const isPaper = view?.options.secondaryMethod === 'paper';
+    this.node.hidden =
+      steps.of === 'failed' || steps.picture?.stage !== 'secondary' || !isPaper || !clusters?.length;
+    if (this.node.hidden || !clusters) return;
+    if (clusters !== this.#clusters) this.#fill(clusters);
+    this.#clusters = clusters;
+    const picked = String((options as Record<string, unknown>)[PICKED]);
+    for (const button of this.#list.children)
+      setAttribute(button, 'aria-pressed', String((button as HTMLElement).dataset.cluster === picked));
+    this.#rounds = options.secondaryRounds;
+    this.#refine.disabled = this.#rounds >= PARAMS.secondaryRounds.max;
+  }
+
+  /** Takes the cluster that was pressed in the picture. */
+  pick(pressed: Element): void {
+    const [kind, cluster] = (pressed as SVGElement).dataset.pick?.split(':') ?? [];
+    if (!this.node.hidden && kind === 'cluster') this.#choose(Number(cluster));
+  }
+
+  #choose(cluster: number | 'auto'): void {
+    if (Object.hasOwn(PARAMS, PICKED)) this.#actions.change({ [PICKED]: cluster } as GivenValues, true);
+  }
+
+  #fill(clusters: Uint8Array): void {
+    const sizes: number[] = [];
+    for (const cluster of clusters) sizes[cluster] = (sizes[cluster] ?? 0) + 1;
+    const buttons = sizes.map((size, cluster) => this.#button(cluster, `${formatCount(size)} points`));
+    this.#list.replaceChildren('Cluster', this.#button('auto', 'Auto'), ...buttons);
+    this.#list.hidden = !Object.hasOwn(PARAMS, PICKED);
+  }
+
+  #button(cluster: number | 'auto', label: string): HTMLButtonElement {
+    const swatch = make('span', { class: 'swatch', hidden: cluster === 'auto' });
+    if (cluster !== 'auto') swatch.style.setProperty('--swatch', clusterColour(cluster));
+    const name = cluster === 'auto' ? label : `${cluster}: ${label}`;
+    return make(
+      'button',
+      {
+        type: 'button',
+        class: 'chip',
+        'data-cluster': cluster,
+        'aria-pressed': 'false',
+        on: { click: () => this.#choose(cluster) },
+      },
+      swatch,
+      name,
+    );
+  }
+}

@@ -1,0 +1,31 @@
+import { STAGES } from '../../core/stages.ts';
+import { icon } from '../icon.ts';
+import { make, setText } from '../make.ts';
+import type { Actions, Panel } from '../model.ts';
+import { sayLabels } from '../plain-words.ts';
+
+/** Says that the pictures are of a run that failed, why it did, and leads back to the plan shown. */
+export class FailedBanner implements Panel {
+  readonly node: HTMLElement;
+  readonly #words = make('p', {});
+  readonly #back: HTMLButtonElement;
+
+  constructor(actions: Actions) {
+    const on = { click: () => actions.turnSteps('plan') };
+    this.#back = make('button', { type: 'button', class: 'button', on }, 'Back to the plan');
+    this.node = make(
+      'section',
+      { class: 'failed-banner', 'aria-label': 'The run that failed', hidden: true },
+      icon('alert'),
+      this.#words,
+      this.#back,
+    );
+  }
+
+  show({ steps, failed, view }: Parameters<Panel['show']>[0]): void {
+    this.node.hidden = steps.of !== 'failed' || !failed;
+    if (!failed) return;
+    setText(this.#words, `${STAGES[failed.stage].label} failed: ${sayLabels(failed.error.message)}`);
+    this.#back.hidden = view === null;
+  }
+}

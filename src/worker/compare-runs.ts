@@ -1,0 +1,71 @@
+import type { StageResults } from '../core/stage-results.ts';
+import type { StageName } from '../core/stages.ts';
+import type { Polygon } from '../core/types.ts';
+import type { RunResult } from '../session/result.ts';
+import { comparePolygons } from '../write/compare-polygons.ts';
+import { drawComparison } from '../write/comparison.ts';
+import type { Comparison } from './protocol.ts';
+
+export interface ComparedRuns {
+  /** What the plan shown and the other are called. */
+  readonly labels: readonly [here: string, there: string];
+  readonly here: StageResults;
+  readonly there: RunResult;
+  /** What a stage took when it last ran for the plan shown, ms. */
+  timeOf(stage: StageName): number;
+}
+
+/**
+ * Two runs of one scan side by side. Measured is what differs: the primary boundaries, or where those are the same
+ * result the secondary boundaries.
+ */
+export function compareRuns({ labels, here, there, timeOf }: ComparedRuns): Comparison {
+  const results: StageResults = {
+    ...here,
+    slice: there.slice,
+    boundary: there.boundary,
+    regularise: there.regularised,
+    secondary: there.secondary,
+    plan: there.plan,
+    solid: there.solid,
+  };
+  const isOutlineSame = here.regularise === there.regularised;
+  const subject = isOutlineSame && here.secondary !== there.secondary ? 'secondary' : 'primary';
+  const { vertices, areaM2, iou, distance95 } = comparePolygons(
+    polygonsOf(here, subject),
+    polygonsOf(results, subject),
+  );
+  const ran = there.stages.filter(({ isCached }) => !isCached);
+  const sides = [
+    { label: labels[0], results: here },
+    { label: labels[1], results },
+  ] as const;
+  // Both runs came to their end, so both have an outline to draw.
+  const draw = (layout: 'overlaid' | 'beside') => drawComparison(...sides, { layout })!;
+  const planOf = ({ solid }: StageResults, side: 0 | 1, ms: number) => ({
+    vertices: vertices[side],
+    areaM2: areaM2[side],
+    triangles: solid.indices.length / 3,
+    ms,
+  });
+  return {
+    overlaid: draw('overlaid'),
+    beside: draw('beside'),
+    subject,
+    here: planOf(here, 0, sum(ran.map(({ name }) => timeOf(name)))),
+    there: planOf(results, 1, sum(ran.map(({ ms }) => ms))),
+    iou,
+    distance: distance95,
+  };
+}
+
+function polygonsOf(
+  { regularise, secondary }: StageResults,
+  subject: Comparison['subject'],
+): readonly Polygon[] {
+  return subject === 'primary' ? regularise.polygons : secondary.boundaries.map(({ outline }) => outline);
+}
+
+function sum(values: readonly number[]): number {
+  return values.reduce((total, value) => total + value, 0);
+}

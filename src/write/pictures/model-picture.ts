@@ -1,0 +1,82 @@
+import type { StageResults } from '../../core/stage-results.ts';
+import { turnToSquare } from '../sheet-turn.ts';
+import { path } from './marks.ts';
+import { sideColour, topColour } from './model-clay.ts';
+import { type Eye, makeEye } from './model-eye.ts';
+import { facesOf, type SideFace } from './model-faces.ts';
+import { castShadow } from './model-shadow.ts';
+import { countOf, type Drawing } from './page.ts';
+import { paintOrder } from './paint-order.ts';
+import { INK } from './palette.ts';
+import { type GroupRings, type SolidSlab, slabsOf } from './solid-slabs.ts';
+
+/** Length of a shadow by the height that casts it, and its share of ink: a high sun in a bright sky. */
+const SHADOW = 0.3;
+const SHADE = 0.09;
+const EDGE = { fill: 'none', stroke: INK, 'stroke-width': 0.7, 'stroke-linecap': 'round' } as const;
+/** A face's own colour along its edge closes the seams that smoothing would leave, px. */
+const SEAM = 0.5;
+
+/** Fig. 1c, 7, 8: the solid in parallel projection, hidden faces truly hidden. */
+export function drawModel({ solid, plan }: Partial<StageResults>): Drawing | null {
+  if (solid === undefined || solid.indices.length === 0) return null;
+  const turn = turnToSquare(plan?.storeys.flatMap(({ primary }) => primary) ?? []);
+  const eye = makeEye(solid, turn);
+  const slabs = slabsOf(solid);
+  const items = slabs.flatMap((slab, k) => [
+    ...paintSides(slab, slabs[k - 1], eye),
+    ...slab.tops.map((top) => paintTop(top, slab.high, eye)),
+    ...slab.tops.flatMap(({ group, rings }) =>
+      group.kind === 'floor' ? paintShadow(rings, slab.high, slabs.slice(k + 1), eye) : [],
+    ),
+  ]);
+  return {
+    height: eye.height,
+    items,
+    counts: [
+      countOf(solid.positions.length / 3, 'vertex', 'vertices'),
+      countOf(solid.indices.length / 3, 'triangle'),
+      countOf(solid.groups.length, 'solid'),
+    ],
+  };
+}
+
+function paintSides(slab: SolidSlab, below: SolidSlab | undefined, eye: Eye): string[] {
+  const faces = facesOf(slab, below, eye);
+  return paintOrder(faces).flatMap((i) => paintSide(faces[i], slab, eye));
+}
+
+function paintSide(face: SideFace, { low, high }: SolidSlab, eye: Eye): string[] {
+  const { ends, hasLine, feet, kind } = face;
+  const [foot, head] = [eye.map(ends, low), eye.map(ends, high)];
+  const [nx, ny] = [ends[3] - ends[1], ends[0] - ends[2]];
+  const length = Math.hypot(nx, ny);
+  const colour = sideColour(kind, [nx / length, ny / length], eye.light);
+  const outline = Float64Array.of(foot[0], foot[1], foot[2], foot[3], head[2], head[3], head[0], head[1]);
+  const lines = feet.map((line) => eye.map(line, low));
+  if (hasLine[0]) lines.push(Float64Array.of(foot[0], foot[1], head[0], head[1]));
+  if (hasLine[1]) lines.push(Float64Array.of(foot[2], foot[3], head[2], head[3]));
+  const body = path([outline], true, { fill: colour, stroke: colour, 'stroke-width': SEAM });
+  return lines.length === 0 ? [body] : [body, path(lines, false, EDGE)];
+}
+
+function paintTop({ group, rings }: GroupRings, z: number, eye: Eye): string {
+  return path(
+    rings.map((ring) => eye.map(ring, z)),
+    true,
+    { ...EDGE, fill: topColour(group.kind), 'fill-rule': 'evenodd', 'stroke-linejoin': 'round' },
+  );
+}
+
+function paintShadow(
+  floor: readonly Float64Array[],
+  z: number,
+  above: readonly SolidSlab[],
+  eye: Eye,
+): string[] {
+  const perMetre = [-SHADOW * eye.light[0], -SHADOW * eye.light[1]] as const;
+  const shadow = castShadow(floor, z, above, perMetre);
+  if (shadow.length === 0) return [];
+  const rings = shadow.flatMap(({ outer, holes }) => [outer, ...holes]).map((ring) => eye.map(ring, z));
+  return [path(rings, true, { fill: INK, 'fill-opacity': SHADE, 'fill-rule': 'evenodd' })];
+}

@@ -1,0 +1,20 @@
+import { expect, it } from 'vitest';
+import { PictureShelf } from '../../../../src/element/steps/picture-shelf.ts';
+
+it('fetches a picture once a run, and again after it failed', async () => {
+  const asked: string[] = [];
+  const shelf = new PictureShelf((name, of) => {
+    asked.push(`${name} of ${of}`);
+    return asked.length === 1 ? Promise.reject(new Error('cancelled')) : Promise.resolve(name);
+  });
+  const [first, second] = [{}, {}];
+  expect(shelf.turnTo(first, 'plan')).toBe(true);
+  await expect(shelf.get('hull')).rejects.toThrow('cancelled');
+  expect(await shelf.get('hull')).toBe('hull');
+  expect(await shelf.get('hull')).toBe('hull');
+  expect(shelf.turnTo(first, 'plan')).toBe(false);
+  expect(asked).toEqual(['hull of plan', 'hull of plan']);
+  expect(shelf.turnTo(second, 'failed')).toBe(true);
+  await shelf.get('hull');
+  expect(asked.at(-1)).toBe('hull of failed');
+});
