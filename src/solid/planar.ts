@@ -26,7 +26,7 @@ export const PINCH_ROUNDS = 4;
 /** Whole metres that are subtracted before rounding. */
 type Origin = readonly [x: number, y: number];
 
-export type PlanarOperation = 'union' | 'difference' | 'intersection';
+type PlanarOperation = 'union' | 'difference' | 'intersection';
 
 const CLIP_TYPES: Record<PlanarOperation, ClipType> = {
   union: ClipType.Union,

@@ -1,12 +1,12 @@
 import { expect, test } from '@playwright/test';
 import { build } from 'vite';
-import type { Operation, Polygon, Slice, Solid, SolidGroup, Storey } from '../../src/core/types.ts';
+import type { Operation, Polygon, Solid, SolidGroup, Storey } from '../../src/core/types.ts';
 import { checkSolid } from '../../src/solid/check-solid.ts';
-import { makeSolid } from '../../src/solid/make-solid.ts';
 import { areaOf } from '../../src/solid/planar.ts';
 import { wallSection } from '../../src/solid/sections.ts';
 import { writeMinimalSvg } from '../../src/write/minimal-svg.ts';
-import { disc, planOf, rectangle, reversed, secondary, wallAround } from '../unit/solid/plans.ts';
+import { disc, rectangle, reversed, secondary, wallAround } from '../unit/solid/plans.ts';
+import { productOf } from '../unit/write/products.ts';
 import type { Extruded } from './extrude-drawing.ts';
 
 /** A module alone, as a script that leaves it on the page under `name`. */
@@ -103,14 +103,14 @@ function extentOf({ positions, indices, groups }: Solid): number[] {
 
 for (const [name, storey] of Object.entries(EXTRUDED)) {
   test(`plan.minimal.svg through SVGLoader and ExtrudeGeometry is the solid: ${name}`, async ({ page }) => {
-    const plan = planOf({ storeys: [{ height: HEIGHT, ...storey }], options: { floorSlab: false } });
-    const solid = await makeSolid(plan, plan.options);
+    const facts = { storeys: [{ height: HEIGHT, ...storey }], options: { floorSlab: false } };
+    const product = await productOf(facts);
+    const { plan, solid } = product;
     const of = (kind: SolidGroup['kind']): Solid => ({
       ...solid,
       groups: solid.groups.filter((group) => group.kind === kind),
     });
-    const slice: Slice = { xy: new Float64Array(0), band: [0, 0], spacing: 1 };
-    const svg = writeMinimalSvg({ name: 'room', plan, solid, slice, results: { slice, plan, solid } }, 0);
+    const svg = writeMinimalSvg(product, 0);
     await page.goto('./?src=');
     const extruded = await page.evaluate(
       ([script, text, height]) =>
