@@ -48,7 +48,7 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   douglasPeuckerPass: { on: 'slice', to: { douglasPeuckerPass: false } },
   visvalingamPass: { on: 'slice', from: { visvalingamEpsilon: 0.05 }, to: { visvalingamPass: false } },
   cornerPass: { on: 'scan', to: { cornerPass: false } },
-  epsilon: { on: 'scan', to: { epsilon: 0.3 } },
+  epsilon: { on: 'scan', from: { cornerPass: false }, to: { epsilon: 0.3 } },
   visvalingamEpsilon: { on: 'slice', to: { visvalingamEpsilon: 0.5 } },
   secondaryCount: { on: 'slice', to: { secondaryCount: 1 } },
   secondaryMethod: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryMethod: 'robust' } },
