@@ -20,6 +20,10 @@ export const GAP_WIDTHS = [0.3, 0.6, 1, 1.5, 2, 2.5, 3] as const;
 const PLACES = ['in a wall', 'near a corner', 'at a convex corner', 'at a concave corner'] as const;
 const NOISES = [0, 0.006, 0.02] as const;
 const PER_METRE = [20, 33, 60, 100] as const;
+/** Shorter sides are of a round wall, m. */
+const SHORTEST_WALL = 1;
+/** Less of a wall, m, is a handful of points. */
+const REMNANT = 0.1;
 
 /** One scan of a room with a gap, and of the same room without. */
 export interface GapCase {
@@ -41,7 +45,7 @@ export function gapCases(width: number, seed: number): GapCase[] {
     for (const place of PLACES) {
       for (const noise of NOISES) {
         const from = startOfGap(shape, place, width, random);
-        if (from === null) continue;
+        if (from === null || takesAWall(shape, from, from + width)) continue;
         const path = rotated(shape, random() < 0.3 ? 0 : 2 * Math.PI * random());
         const perMetre = PER_METRE[Math.floor(random() * PER_METRE.length)];
         const scan = { walls: [closed(path)], perMetre, noise, seed: Math.floor(random() * 1e9) };
@@ -67,6 +71,16 @@ function startOfGap(room: Path, place: GapCase['place'], width: number, random: 
   if (wanted !== null) return corner - width * (0.1 + 0.8 * random());
   const beside = 0.05 + 0.25 * random();
   return random() < 0.5 ? corner + beside : corner - beside - width;
+}
+
+/** Whether a gap leaves nothing of some wall: no point tells then where it stood. Round walls have no such. */
+function takesAWall(room: Path, from: number, to: number): boolean {
+  const at = cornersAlong(room);
+  const total = at.at(-1)!;
+  return room.some((_, k) => {
+    if (at[k + 1] - at[k] < SHORTEST_WALL) return false;
+    return [-total, 0, total].some((by) => at[k] + by >= from - REMNANT && at[k + 1] + by <= to + REMNANT);
+  });
 }
 
 /**

@@ -9,10 +9,10 @@ import { findOpeningPoint } from './opening-point.ts';
 import { continuesWalls } from './wall-run.ts';
 
 /**
- * A gap lies between walls: the outline turns by less than this at its ends (a whole wall may be missing), not back
- * as at a stray point. Cosine of 110°.
+ * A gap lies between walls: the outline turns by less than this at its ends (a whole wall may be missing, and of one
+ * beside it more than of the other), not back as at a stray point. Cosine of 135°.
  */
-const LEAST_COSINE = -0.34;
+const LEAST_COSINE = -Math.SQRT1_2;
 /** Gaps told one by one in the warning; the rest are counted. */
 const TOLD = 3;
 
@@ -87,25 +87,20 @@ export function warnOfGaps(gaps: readonly Gap[], context: StageContext): void {
   });
 }
 
-/** Whether a point off the walls may lie between the bridge a → next[a] and a corner: one that sees it under angles as small. */
-function hidesPoint({ hull }: Opening, a: number, [cornerX, cornerY]: Gap['from']): boolean {
+/** Whether a point lies between the bridge a → next[a] and a corner inside the ring, and not on the walls that meet there. */
+function hidesPoint({ hull }: Opening, a: number, corner: Gap['from']): boolean {
   const { x, y } = hull.grid;
   const b = hull.next[a];
-  const corner = [cornerX, cornerY] as const;
-  const isOnWall = (q: number) =>
-    squaredDistanceToSegment(x[q], y[q], x[a], y[a], ...corner) <= NOISE_DEPTH ** 2 ||
-    squaredDistanceToSegment(x[q], y[q], ...corner, x[b], y[b]) <= NOISE_DEPTH ** 2;
-  const p = findOpeningPoint(hull, a, b, isOnWall);
-  if (p < 0 || orientation(x[a], y[a], x[b], y[b], cornerX, cornerY) <= 0) return false;
-  const cosines = (px: number, py: number) => [
-    cosine(x[b] - x[a], y[b] - y[a], px - x[a], py - y[a]),
-    cosine(x[a] - x[b], y[a] - y[b], px - x[b], py - y[b]),
-  ];
-  return Math.min(...cosines(x[p], y[p])) >= Math.min(...cosines(cornerX, cornerY));
-}
-
-function cosine(ux: number, uy: number, vx: number, vy: number): number {
-  return (ux * vx + uy * vy) / Math.hypot(ux, uy) / Math.hypot(vx, vy);
+  const isLeftOf = (px: number, py: number, qx: number, qy: number, k: number) =>
+    orientation(px, py, qx, qy, x[k], y[k]) >= 0;
+  const isNear = (k: number, end: number) =>
+    squaredDistanceToSegment(x[k], y[k], x[end], y[end], ...corner) <= NOISE_DEPTH ** 2;
+  const isElsewhere = (k: number) =>
+    !isLeftOf(x[b], y[b], ...corner, k) ||
+    !isLeftOf(...corner, x[a], y[a], k) ||
+    isNear(k, a) ||
+    isNear(k, b);
+  return orientation(x[a], y[a], x[b], y[b], ...corner) > 0 && findOpeningPoint(hull, a, b, isElsewhere) >= 0;
 }
 
 function gapBetween(from: Gap['from'], to: Gap['to']): Gap {

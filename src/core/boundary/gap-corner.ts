@@ -1,20 +1,14 @@
 import { lineIntersection, segmentsTouch } from '../geometry/segments.ts';
 import type { Gap, Ring } from '../types.ts';
 
-/** Stretches of wall beside a gap that are tried as a line, longest first, m. */
-const WALL_STRETCHES = [1, 0.5, 0.2];
-/** A shorter stretch only says roughly where a wall points; it is taken as square to the other wall, m. */
-const SURE_STRETCH = 0.5;
-/** Rough directions are square when within this of it: cosine of 60°. */
-const ROUGHLY_SQUARE = 0.5;
+/** Stretches of wall beside a gap that are tried as a line, longest first, m; shorter ones do not say where it points. */
+const WALL_STRETCHES = [1, 0.5];
 /** A stretch is straight when no vertex lies farther than this from its line, m: noise of a hand-held scanner. */
 const STRAIGHT = 0.06;
 /** Walls whose directions into the gap are nearer to opposed than this run on as one: cosine of 155°. */
 const STRAIGHT_ON = -0.9;
-/** Walls that meet more sharply than this make no corner: cosine of 45°. */
+/** Walls that would meet more sharply than this lie side by side: cosine of 45°. */
 const SHARPEST = 0.7;
-/** Walls side by side: cosine of 8°. */
-const PARALLEL = 0.99;
 /** Shorter legs are noise at a wall's end, m. */
 const SHORTEST_LEG = 0.1;
 
@@ -41,23 +35,17 @@ interface Chord {
   readonly by: number;
 }
 
-/** Where the walls meet, or the surer of them and a wall square to it; null when they do not tell. */
+/** Where the walls meet, or one of them and a wall square to it; null when they do not tell. */
 function cornerOf(
   gap: Chord,
   before: Direction | null,
   after: Direction | null,
   longestLeg: number,
 ): Gap['from'] | null {
-  const isSure = [before, after].map((wall) => wall !== null && wall.stretch >= SURE_STRETCH);
-  if (!isSure[0] && !isSure[1]) return null;
   if (before === null || after === null) return squareCorner(gap, before, after, longestLeg);
   const turn = before.x * after.x + before.y * after.y;
-  if (isSure[0] && isSure[1]) {
-    if (turn > PARALLEL) return squareCorner(gap, before, after, longestLeg);
-    return turn < STRAIGHT_ON || turn > SHARPEST ? null : meeting(gap, before, after, longestLeg);
-  }
-  if (Math.abs(turn) > ROUGHLY_SQUARE) return null;
-  return squareCorner(gap, isSure[0] ? before : null, isSure[1] ? after : null, longestLeg);
+  if (turn > SHARPEST) return squareCorner(gap, before, after, longestLeg);
+  return turn < STRAIGHT_ON ? null : meeting(gap, before, after, longestLeg);
 }
 
 /** Where both walls meet. */
@@ -99,8 +87,6 @@ function squareCorner(
 interface Direction {
   readonly x: number;
   readonly y: number;
-  /** Length of the wall it was taken from, m. */
-  readonly stretch: number;
 }
 
 /** The way the wall that ends at vertex `end` points out into the gap. */
@@ -115,7 +101,7 @@ function wallDirection(ring: Ring, end: number, step: 1 | -1): Direction | null 
       reach = Math.hypot(ring[2 * at] - ring[2 * end], ring[2 * at + 1] - ring[2 * end + 1]);
     }
     const direction = reach < stretch ? null : fitDirection(ring, vertices);
-    if (direction !== null) return { x: direction[0], y: direction[1], stretch };
+    if (direction !== null) return { x: direction[0], y: direction[1] };
   }
   return null;
 }
