@@ -1,3 +1,6 @@
+import { doorGaps, recesses } from './door-gaps.ts';
+import { narrowSpaces } from './narrow-spaces.ts';
+
 /** Mean IoU of narrow rooms of one width, m, over seeds, noise and spacing. */
 export interface NarrowSpaces {
   readonly width: number;
@@ -47,5 +50,5 @@ export interface Experiments {
 
 /** Runs those there are. */
 export async function runExperiments(): Promise<Experiments> {
-  return {};
+  return { narrowSpaces: narrowSpaces(), doorGaps: doorGaps(), recesses: recesses() };
 }
