@@ -7,6 +7,7 @@ import { FloorPlanError } from './errors.ts';
 import { convexHull } from './geometry/convex-hull.ts';
 import { distinctPoints } from './geometry/point-order.ts';
 import { orientation } from './geometry/predicates.ts';
+import { boundsOf, signedArea } from './geometry/rings.ts';
 import { meanSpacing } from './geometry/spacing.ts';
 import type { Options } from './params.ts';
 import type { Boundary, Polygon, Ring, Slice } from './types.ts';
@@ -23,7 +24,7 @@ const ALPHA_SPACINGS = 20;
 const SHORTEST_ALPHA = 0.5;
 /** Narrower gaps are not told of: a door frame, a cupboard's shadow. */
 const NARROWEST_GAP = 0.2;
-/** An outline with less than this share of its convex hull's area has fallen through a gap wider than `bridgeGap`. */
+/** An outline with less than this share of its convex hull's area has fallen through a gap, or apart. */
 const LEAST_FILL = 0.25;
 
 /**
@@ -48,7 +49,7 @@ export function findBoundary(slice: Slice, options: Options, context: StageConte
     case 'concaveman':
       return { ...plain, polygons: [asPolygon(concavemanRing(points, options.concavity))] };
     case 'alpha-shape':
-      return { ...plain, polygons: alphaPolygons(points, spacing, options) };
+      return { ...plain, polygons: alphaPolygons(points, spacing, options, context) };
   }
 }
 
@@ -64,37 +65,60 @@ function giftBoundary(
   // An edge over a gap ends at the last points beside it, up to a step away on either side.
   const bridgeLimit = options.bridgeGap > 0 ? options.bridgeGap + supportLength : 0;
   const rules = { openingLength, supportLength, bridgeLimit, spacing };
+  warnOfLongOpening(points, openingLength, context);
   const opening = openGift(points, rules);
   const found = findGaps(opening, options.bridgeGap);
   reachOpeningLength(opening, rules);
   const { ring, gaps } = closeGaps(opening, found);
   warnOfGaps(gaps, context);
-  warnOfCollapse(opening.area / opening.hullArea, options, context);
+  const hint = `Raise the opening length, or bridgeGap, now ${options.bridgeGap} m.`;
+  warnOfCollapse(opening.area / opening.hullArea, hint, context);
   return { method: 'gift-opening', polygons: [asPolygon(ring)], openingLength, gaps };
 }
 
-function warnOfCollapse(share: number, options: Options, context: StageContext): void {
-  if (share >= LEAST_FILL) return;
+function warnOfLongOpening(points: Float64Array, openingLength: number, context: StageContext): void {
+  const { minX, minY, maxX, maxY } = boundsOf(points);
+  const extent = Math.hypot(maxX - minX, maxY - minY);
+  if (openingLength < extent) return;
   context.warn({
-    code: 'boundary/collapsed',
-    message: `The outline holds only ${(100 * share).toFixed(0)} % of the area of its convex hull; it may have fallen into the rooms.`,
-    hint: `Raise the opening length, or bridgeGap, now ${options.bridgeGap} m.`,
+    code: 'boundary/not-opened',
+    message: `The opening length, ${openingLength} m, is no shorter than the slice, ${extent.toFixed(2)} m across; the outline is its convex hull.`,
+    hint: 'Lower the opening length, or let it be auto; check the unit.',
   });
 }
 
-function alphaPolygons(points: Float64Array, spacing: number, options: Options): readonly Polygon[] {
+function warnOfCollapse(share: number, hint: string, context: StageContext): void {
+  if (share >= LEAST_FILL) return;
+  const percent = share < 0.01 ? 'less than 1' : (100 * share).toFixed(0);
+  context.warn({
+    code: 'boundary/collapsed',
+    message: `The outline holds only ${percent} % of the area of its convex hull; it may have fallen into the rooms, or apart.`,
+    hint,
+  });
+}
+
+function alphaPolygons(
+  points: Float64Array,
+  spacing: number,
+  options: Options,
+  context: StageContext,
+): readonly Polygon[] {
   const automatic = Math.max(SHORTEST_ALPHA, ALPHA_SPACINGS * spacing);
   const alpha = options.alpha === 'auto' ? automatic : options.alpha;
   const polygons = alphaShape(points, alpha);
-  if (polygons.length > 0) return polygons;
-  throw new FloorPlanError(
-    'result/no-boundary',
-    `expected triangles of radius up to ${alpha} m, found none`,
-    {
-      hint: 'Raise alpha, or let it be auto.',
-      detail: { alpha },
-    },
-  );
+  if (polygons.length === 0) {
+    throw new FloorPlanError(
+      'result/no-boundary',
+      `expected triangles of radius up to ${alpha} m, found none`,
+      {
+        hint: 'Raise alpha, or let it be auto.',
+        detail: { alpha },
+      },
+    );
+  }
+  const area = polygons.reduce((sum, { outer }) => sum + signedArea(outer), 0);
+  warnOfCollapse(area / signedArea(convexHull(points)), `Raise alpha, now ${alpha} m.`, context);
+  return polygons;
 }
 
 function asPolygon(outer: Ring): Polygon {

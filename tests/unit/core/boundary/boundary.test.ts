@@ -78,6 +78,23 @@ describe('findBoundary', () => {
     expect(run).toThrow(expect.objectContaining({ code: 'result/no-boundary', detail: { alpha: 0.001 } }));
   });
 
+  it('says so when alpha leaves scraps', () => {
+    const context = listeningContext();
+    const options = optionsWith({ boundary: 'alpha-shape', alpha: 0.02 });
+    findBoundary(asSlice(wallsOfEll), options, context);
+    expect(context.warnings).toMatchObject([
+      { code: 'boundary/collapsed', hint: expect.stringContaining('alpha') },
+    ]);
+  });
+
+  it('says so when the opening length is longer than the slice', () => {
+    const context = listeningContext();
+    const { polygons } = findBoundary(asSlice(wallsOfEll), optionsWith({ openingLength: 50 }), context);
+    expect(context.warnings.map(({ code }) => code)).toContain('boundary/not-opened');
+    expect(context.warnings[0].message).toMatch(/50 m.*7\.\d\d m across/);
+    expect(polygonArea(polygons[0])).toBeGreaterThan(24);
+  });
+
   it('takes three points', () => {
     const xy = Float64Array.of(0, 0, 3, 0, 0, 4);
     for (const boundary of ['gift-opening', 'convex', 'alpha-shape', 'concaveman'] as const) {
