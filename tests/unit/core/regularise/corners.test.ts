@@ -71,6 +71,10 @@ function cornerError(ring: Ring, truth: Path): number {
   return mean(nearest);
 }
 
+function verticesOf(ring: Ring): [x: number, y: number][] {
+  return Array.from({ length: ring.length / 2 }, (_, k) => [ring[2 * k], ring[2 * k + 1]]);
+}
+
 function mean(values: readonly number[]): number {
   return values.reduce((a, b) => a + b, 0) / values.length;
 }
@@ -160,6 +164,17 @@ describe('restored corners', () => {
     );
     expect(after.length / 2).toBe(4);
     expect(cornerError(after, wall)).toBeLessThan(0.003);
+  });
+
+  it('move no vertex far where ε is large', () => {
+    const slice = asSlice(scanWalls({ walls: [closed(ROUND)], perMetre: 250, noise: 0.01, seed: 4 }));
+    const options = optionsWith({ epsilon: 0.5 });
+    const boundary = findBoundary(slice, options, listeningContext());
+    const { passes } = regulariseBoundary(boundary, slice, options, listeningContext());
+    const [before, after] = passes.slice(-2).map(({ polygons }) => verticesOf(polygons[0].outer));
+    const moves = after.map(([x, y]) => Math.min(...before.map(([u, v]) => Math.hypot(x - u, y - v))));
+    // Four times the 2.5 cm within which points are one face; the lines fitted to such long chords pass twice as far off.
+    expect(Math.max(...moves)).toBeLessThanOrEqual(0.1);
   });
 
   it('leave edges without points where they are', () => {
