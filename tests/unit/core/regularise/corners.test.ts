@@ -177,6 +177,13 @@ describe('restored corners', () => {
     expect(Math.max(...moves)).toBeLessThanOrEqual(0.1);
   });
 
+  it('leave the outline of a filled area where it is', () => {
+    const random = randomNumbers(6);
+    const filled = Float64Array.from({ length: 20_000 }, (_, i) => (i % 2 === 0 ? 5 : 4) * random());
+    const { before, after } = outline(filled);
+    expect(areaError(after, before)).toBeLessThan(0.005);
+  });
+
   it('leave edges without points where they are', () => {
     const ring = Float64Array.of(0, 0, 5, 0, 5, 4, 0, 4);
     const far = asSlice(
@@ -218,6 +225,11 @@ describe('the face of a wall', () => {
 
   it('is nowhere without points', () => {
     expect(faceOf([])).toBeNull();
+  });
+
+  it('is nowhere where points fill an area', () => {
+    const random = randomNumbers(8);
+    expect(faceOf(Array.from({ length: 2_000 }, () => 0.4 * random() - 0.05))).toBeNull();
   });
 });
 
