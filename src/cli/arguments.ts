@@ -34,7 +34,7 @@ export function parseArguments(words: readonly string[]): Command {
   while (queue.length > 0) {
     const word = queue.shift()!;
     const [flag, inline] = splitFlag(word);
-    const value = (): string => inline ?? queue.shift() ?? missingValue(flag);
+    const value = (): string => inline ?? nextValue(flag, queue);
     const param = PARAM_OF_FLAG.get(flag);
     if (param) {
       const needsValue = PARAMS[param].kind !== 'flag' || queue[0] === 'true' || queue[0] === 'false';
@@ -86,8 +86,11 @@ function checkComplete(inputs: readonly string[], folder: string): void {
   if (!folder) throw new FloorPlanError('option/invalid', 'No output folder was named.', { hint: usage });
 }
 
-function missingValue(flag: string): never {
-  throw new FloorPlanError('option/invalid', `${flag}: expected a value, found the end`, {
+/** A value may start with one dash, as negative numbers and `-x` do, but with two it is the next flag. */
+function nextValue(flag: string, queue: string[]): string {
+  const value = queue.shift();
+  if (value !== undefined && !value.startsWith('--') && value !== '-o') return value;
+  throw new FloorPlanError('option/invalid', `${flag}: expected a value, found ${value ?? 'the end'}`, {
     hint: 'See grundriss --help.',
   });
 }

@@ -34,7 +34,8 @@ export function resolveOptions(given: GivenValues, { isSlice = false } = {}): Op
     const found = given[name] ?? presetValue(row, resolved, pixelsPerMetre);
     const isText = typeof found === 'string' && (row.kind === 'number' || row.kind === 'auto-number');
     const value = isText && powerOf(row) !== 0 ? parseNumber(row, found, pixelsPerMetre) : found;
-    checkValue(name, value, found);
+    if (given[name] === undefined) checkPresetValue(name, value, pixelsPerMetre);
+    else checkValue(name, value, found);
     options[name] = value;
   }
   return { ...(options as Options), preset: resolved };
@@ -105,6 +106,17 @@ function checkValue(name: ParamName, value: unknown, found: unknown): void {
     hint: `The default is ${String(row.default)}.`,
     detail: { option: name },
   });
+}
+
+/** The paper's sizes are pixels: `pixelsPerMetre` may make them larger or smaller than any a person may give. */
+function checkPresetValue(name: ParamName, value: unknown, pixelsPerMetre: number): void {
+  const expected = expectation(PARAMS[name], value);
+  if (expected === null) return;
+  throw new FloorPlanError(
+    'option/invalid',
+    `pixelsPerMetre: expected ${name} of the paper to be ${expected}, found ${String(value)} at ${pixelsPerMetre} px/m`,
+    { hint: `Set ${name} too, or another pixelsPerMetre.`, detail: { option: 'pixelsPerMetre' } },
+  );
 }
 
 /** What the row allows, or null when `value` is allowed. */

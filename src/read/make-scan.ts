@@ -1,7 +1,7 @@
 import type { Scan, Vec3, Warning } from '../core/types.ts';
 import { orderByCell } from './cell-order.ts';
 import type { OpenCloud } from './cloud-reader.ts';
-import { diagonalOf, powerOfTwoBelow, type Thinning } from './thinning.ts';
+import { diagonalOf, FARTHEST, powerOfTwoBelow, type Thinning } from './thinning.ts';
 
 /** Cell that orders a slice, which has none, as a share of its extent. */
 const ORDER_SHARE = 2 ** -15;
@@ -62,7 +62,7 @@ function warningsOf({ dropped, read, cell, count }: Thinning, target: number): W
   if (dropped > 0) {
     warnings.push({
       code: 'read/points-dropped',
-      message: `${dropped} of ${read} points have no finite place and were left out.`,
+      message: `${dropped} of ${read} points have no place, or one beyond ±${FARTHEST.toExponential(0)}, and were left out.`,
     });
   }
   if (cell > target) {

@@ -9,7 +9,7 @@ import { openCloud } from './formats.ts';
 import { makeScan } from './make-scan.ts';
 import { Preview } from './preview.ts';
 import type { ByteSource } from './source.ts';
-import { diagonalOf, powerOfTwoBelow, Thinning } from './thinning.ts';
+import { diagonalOf, FARTHEST, powerOfTwoBelow, Thinning } from './thinning.ts';
 
 export type ReadOptions = Pick<Options, 'resolution' | 'pointBudget' | 'unit' | 'pixelsPerMetre'>;
 
@@ -137,7 +137,7 @@ function assertPoints(name: string, thinning: Thinning): void {
   if (dropped === read) {
     throw new FloorPlanError(
       'input/not-finite',
-      `${name}: expected coordinates, found none finite in ${read} points`,
+      `${name}: expected coordinates of up to ±${FARTHEST.toExponential(0)}, found none in ${read} points`,
       {
         hint: 'Export the cloud again, without invalid points.',
         detail: { dropped },

@@ -6,7 +6,7 @@ import { KeptAttributes } from './kept-attributes.ts';
 import { PointSample } from './point-sample.ts';
 
 /** Farther from 0 than this is no place in a building but a mark for "no return": a UTM northing in mm is 10¹⁰. */
-const FARTHEST = 1e12;
+export const FARTHEST = 1e12;
 const FIRST_SLOTS = 1 << 16;
 /** Share of slots in use past which probing gets long. */
 const FULLEST = 0.5;

@@ -46,6 +46,17 @@ describe('resolveOptions', () => {
     expect(options.strokeWidth).toBeCloseTo(0.2, 12);
   });
 
+  it.each([1, 5_000])(
+    'names pixelsPerMetre where %d makes the sizes of the paper absurd',
+    (pixelsPerMetre) => {
+      expect(() => resolveOptions({ preset: 'paper', pixelsPerMetre })).toThrow(
+        /^pixelsPerMetre: .* of the paper/,
+      );
+      const own = { strokeWidth: 0.1, wallThickness: 0.1, secondaryEpsilon: 0.1 };
+      expect(resolveOptions({ preset: 'paper', pixelsPerMetre, ...own }).strokeWidth).toBe(0.1);
+    },
+  );
+
   it('lets a given value win over the preset', () => {
     expect(resolveOptions({ preset: 'paper', epsilon: 0.5 }).epsilon).toBe(0.5);
   });

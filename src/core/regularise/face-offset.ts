@@ -20,7 +20,8 @@ export interface FaceOffset {
  *
  * @param offsets m, of which the first `size` count
  * @param bandwidth m; faces nearer to each other than about twice this are one
- * @returns null for no points. O(points + range / bandwidth).
+ * @returns null for no points, and where they grow no sparser behind the peak: they fill an area, as a floor does, and no
+ *   face stands out. O(points + range / bandwidth).
  */
 export function firstFace(
   offsets: Float64Array,
@@ -43,6 +44,9 @@ export function firstFace(
     if (density[bin] < density[valley]) valley = bin;
     else if (VALLEY * density[bin] > density[valley]) break;
   }
+  // The last bins lack the points beyond the strip, so they seem sparser.
+  const behind = density.subarray(peak, Math.max(peak + 1, density.length - BINS + 1));
+  if (behind.every((value) => value >= VALLEY * density[peak])) return null;
   const centre = (bin: number) => low + ((bin + 0.5) * bandwidth) / BINS;
   return { peak: centre(peak), end: valley > peak ? centre(valley) : high };
 }

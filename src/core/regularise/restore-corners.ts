@@ -21,7 +21,10 @@ const BANDWIDTH_SPACINGS = 2;
 const LEAST_BANDWIDTH = 0.025;
 /** Points of a face lie up to this many bandwidths behind the hull: the far side of the noise. */
 const REACH = 3;
-/** A corner is at most this many bandwidths from where it was: further off, the lines do not belong together. */
+/**
+ * A vertex moves by at most this many bandwidths: where lines meet further off they do not belong together, and a line
+ * further off is no face of the wall the vertex stands on, as where ε is larger than the rooms.
+ */
 const FARTHEST_CORNER = 4;
 /** Edges shorter than this many bandwidths have no direction of their own. */
 const SHORTEST_EDGE = 2;
@@ -35,8 +38,8 @@ const MOST_ROUNDS = 4;
  * names lost corners as its weakness ([Stojanovic19] §5).
  *
  * To each edge a line is fitted by the points it stands for, and neighbouring lines meet in the new vertex. Where they
- * are nearly parallel, as in a gentle bend, the old vertex is projected onto both. An edge without points, a bridged gap,
- * stays straight between its ends. A vertex within the noise of a straight wall goes, and so does an edge that cuts a
+ * are nearly parallel, as in a gentle bend, the old vertex is projected onto both. No vertex moves far. An edge without
+ * points, a bridged gap, stays straight between its ends. A vertex within the noise of a straight wall goes, and so does an edge that cuts a
  * corner: one too short to have a direction, or no further from the corner than the noise.
  *
  * @param rings simplified
@@ -118,15 +121,14 @@ class Refining {
   private placeCorners(): Point[] {
     return this.kept.map((vertex, k) => {
       const old = this.vertex(vertex);
+      const near = (point: Point) => distance(point, old) <= FARTHEST_CORNER * this.bandwidth;
       const [one, other] = [this.lines[this.before(k)], this.lines[k]];
-      if (one === null || other === null) {
-        const only = one ?? other;
-        return only === null ? old : projectOnto(only, old);
-      }
-      const corner = meetingOf(one, other);
-      if (corner !== null && distance(corner, old) <= FARTHEST_CORNER * this.bandwidth) return corner;
-      const [p, q] = [projectOnto(one, old), projectOnto(other, old)];
-      return [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2];
+      const corner = one && other && meetingOf(one, other);
+      if (corner !== null && near(corner)) return corner;
+      const feet = [one, other]
+        .flatMap((line) => (line === null ? [] : [projectOnto(line, old)]))
+        .filter(near);
+      return feet.length === 0 ? old : middleOf(feet);
     });
   }
 
@@ -198,6 +200,11 @@ function isOnwards(a: WallLine, b: WallLine): boolean {
 
 function noiseOf(a: WallLine, b: WallLine): number {
   return NOISE * Math.max(a.deviation, b.deviation);
+}
+
+function middleOf(points: readonly Point[]): Point {
+  const [x, y] = points.reduce(([sumX, sumY], point) => [sumX + point[0], sumY + point[1]]);
+  return [x / points.length, y / points.length];
 }
 
 function distance(a: Point, b: Point): number {

@@ -128,7 +128,8 @@ describe('bad words', () => {
     [['--formats', 'svg,pdx', sample, '-o', 'x'], /option\/invalid: --formats/],
     [[sample], /option\/invalid: No output folder/],
     [['-o', 'x'], /option\/invalid: No input/],
-    [[sample, '-o'], /option\/invalid: -o: expected a value/],
+    [[sample, '-o'], /option\/invalid: -o: expected a value, found the end/],
+    [[sample, '-o', '--formats', 'svg'], /option\/invalid: -o: expected a value, found --formats/],
   ])('%j exit with 2', async (words, says) => {
     const { exitCode, stderr } = await grundriss(...words);
     expect(stderr).toMatch(says);
