@@ -14,6 +14,8 @@ import { findWallFaces, type WallFaces } from './wall-faces.ts';
 const FEWEST_POINTS = 8;
 /** Thinner things are posts, poles and noise: area by half the perimeter, m. */
 const LEAST_WIDTH = 0.05;
+/** Points of a face lie no further apart than this many mean spacings, taken over the whole outline: else they are strays. */
+const LARGEST_GAP_SPACINGS = 4;
 /** Below a 20 cm square: at a wall the end of a partition, 10 to 15 cm thick; in a room seldom a column. */
 const LEAST_CERTAIN_WIDTH = 0.1;
 /**
@@ -95,8 +97,9 @@ function judge(group: OffWallGroup, surroundings: Surroundings): Candidate | nul
   if (group.members.length < FEWEST_POINTS) return null;
   const points = pointsOf(slice.xy, group.members);
   const found = outlineStructure(points, faces.noise, options, context);
-  if (!found || widthOf(found.outline) < LEAST_WIDTH || !isWithin(found.outline, primary)) return null;
+  if (!found || widthOf(found.outline) < Math.max(LEAST_WIDTH, faces.reach) || !isWithin(found.outline, primary)) return null;
   const { outline, completion } = found;
+  if (perimeter(outline) > LARGEST_GAP_SPACINGS * slice.spacing * group.members.length) return null;
   if (group.place !== 'clear') {
     if (completion !== 'none' || isWallPiece(outline) || widthOf(outline) < LEAST_CERTAIN_WIDTH) return null;
     if (seenShare(outline, points, faces) < SEEN_SHARE) return null;

@@ -12,8 +12,6 @@ const STRUCTURE_CELLS = 3;
 const FINER_CELLS = 2;
 /** What comes nearer to a wall than so many spacings may hang together with it. */
 const TOUCH_SPACINGS = 3;
-/** Smaller clumps are stray points. */
-const FEWEST_IN_CLUMP = 4;
 
 /** Points off the walls that hang together. */
 export interface OffWallGroup {
@@ -31,7 +29,6 @@ export function groupOffWalls({ xy, spacing }: Slice, faces: WallFaces): OffWall
   const groups: OffWallGroup[] = [];
   const clear: number[] = [];
   for (const members of partition(xy, off, cell)) {
-    if (members.length < FEWEST_IN_CLUMP) continue;
     if (touches(members, xy, spacing, faces)) groups.push({ members, place: 'touching' });
     else for (const i of members) clear.push(i);
   }
@@ -41,16 +38,27 @@ export function groupOffWalls({ xy, spacing }: Slice, faces: WallFaces): OffWall
   return groups;
 }
 
-/** What hangs together more closely within a group that touches a wall. */
+/**
+ * What hangs together more closely within a group that touches a wall, and is tied to the rest by nothing but points near
+ * the wall: a piece of a wall that leads into the room is not.
+ */
 export function cutGroup(
   { members }: OffWallGroup,
   { xy, spacing }: Slice,
   faces: WallFaces,
 ): OffWallGroup[] {
-  return partition(xy, members, (CELL_SPACINGS / FINER_CELLS) * spacing).map((part) => ({
-    members: part,
-    place: touches(part, xy, spacing, faces) ? 'touching' : 'cut',
-  }));
+  const parts = partition(xy, members, (CELL_SPACINGS / FINER_CELLS) * spacing);
+  const partOf = new Map<number, Uint32Array>();
+  for (const part of parts) for (const i of part) partOf.set(i, part);
+  const off = members.filter((i) => !isNearWall(i, xy, spacing, faces));
+  const tied = new Set<Uint32Array>();
+  for (const together of partition(xy, off, CELL_SPACINGS * spacing)) {
+    const joined = new Set(Array.from(together, (i) => partOf.get(i)!));
+    if (joined.size > 1) for (const part of joined) tied.add(part);
+  }
+  return parts
+    .filter((part) => !tied.has(part))
+    .map((part) => ({ members: part, place: touches(part, xy, spacing, faces) ? 'touching' : 'cut' }));
 }
 
 /**
@@ -78,8 +86,11 @@ export function withSharedPoints(
 }
 
 function touches(members: Uint32Array, xy: Float64Array, spacing: number, faces: WallFaces): boolean {
-  const touch = faces.reach + TOUCH_SPACINGS * spacing;
-  return members.some((i) => faces.heightAt(xy[2 * i], xy[2 * i + 1]) <= touch);
+  return members.some((i) => isNearWall(i, xy, spacing, faces));
+}
+
+function isNearWall(i: number, xy: Float64Array, spacing: number, { reach, heightAt }: WallFaces): boolean {
+  return heightAt(xy[2 * i], xy[2 * i + 1]) <= reach + TOUCH_SPACINGS * spacing;
 }
 
 /** The points numbered, parted into what hangs together. */
