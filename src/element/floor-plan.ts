@@ -192,7 +192,7 @@ export class FloorPlanElement extends Base {
       showStep: (name) => this.#showStep(name),
       moveStep: (by) => this.#moveStep(by),
       turnSteps: (of) => this.#turnSteps(of),
-      picture: (name, of) => this.#maker.picture(name, of),
+      picture: (asked) => this.#maker.picture(asked),
       compare: ({ options, labels }, onProgress) =>
         this.#maker.compare({ options: { ...this.#given.now, ...options }, labels }, onProgress),
       stopComparing: () => this.#maker.stopComparing(),

@@ -2,7 +2,14 @@ import type { GivenValues, Options, ParamName } from '../core/params.ts';
 import type { Progress } from '../core/pipeline-run.ts';
 import type { Gap, Warning } from '../core/types.ts';
 import type { DisplayUnit } from '../view/measure.ts';
-import type { Comparison, ComparisonRequest, PictureFacts, PictureOf, PlanView } from '../worker/protocol.ts';
+import type {
+  Comparison,
+  ComparisonRequest,
+  PictureAsked,
+  PictureFacts,
+  PictureOf,
+  PlanView,
+} from '../worker/protocol.ts';
 import type { Layout, PlanState } from './contract.ts';
 import type { FailedRun } from './plan-maker.ts';
 
@@ -73,7 +80,7 @@ export interface Actions {
   /** To the pictures of the plan, or to the last one of the run that failed. */
   turnSteps(of: PictureOf): void;
   /** @throws FloorPlanError */
-  picture(name: string, of: PictureOf): Promise<string | null>;
+  picture(asked: PictureAsked): Promise<string | null>;
   /** What changed options make of the scan, beside its plan, which stays. @throws FloorPlanError */
   compare(request: ComparisonRequest, onProgress: (progress: Progress) => void): Promise<Comparison>;
   stopComparing(): void;

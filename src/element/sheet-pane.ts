@@ -171,7 +171,10 @@ export class SheetPane {
 
   #toggleComparison(): void {
     if (this.#steps) this.#steps.compare(!this.#steps.isComparing);
-    else this.#wantsComparison = !this.#wantsComparison;
+    else {
+      this.#wantsComparison = !this.#wantsComparison;
+      setAttribute(this.#compare, 'aria-pressed', String(this.#wantsComparison));
+    }
   }
 
   #hideSteps(): void {

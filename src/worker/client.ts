@@ -7,7 +7,7 @@ import type {
   ComparisonRequest,
   Evidence,
   ExportedFile,
-  PictureOf,
+  PictureAsked,
   PlanView,
   Request,
   Response,
@@ -95,9 +95,9 @@ export class PlanClient {
   }
 
   /** A stage's picture as SVG text, or null where that run has none. @throws FloorPlanError */
-  async picture(name: string, of: PictureOf): Promise<string | null> {
+  async picture(asked: PictureAsked): Promise<string | null> {
     await this.#hold();
-    return this.#ask<string | null>({ kind: 'picture', name, of });
+    return this.#ask<string | null>({ kind: 'picture', ...asked });
   }
 
   /**
