@@ -31,6 +31,9 @@ function start(element: FloorPlanElement): void {
   document.addEventListener('keydown', (event) => {
     const [target] = event.composedPath();
     if (event.key === '?' && !(target instanceof HTMLInputElement)) showHelp();
+    // Before anything has the focus, keys are meant for the plan.
+    const isForPlan = target === document.body;
+    if (isForPlan && !element.dispatchEvent(new KeyboardEvent('keydown', event))) event.preventDefault();
   });
   element.addEventListener('load', () => {
     document.title = `${element.plan?.source.name ?? 'Plan'} – Grundriss`;

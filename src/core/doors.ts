@@ -54,7 +54,7 @@ function parseCut(entry: string, number: number): DoorCut {
   const fields = entry.split(',').map((field) => (field.trim() === '' ? Number.NaN : Number(field)));
   const [x, y, width, height] = fields;
   const isComplete = fields.length === 3 || fields.length === 4;
-  const isSound = fields.every(Number.isFinite) && fields.slice(2).every(isSize);
+  const isSound = fields.every(Number.isFinite) && fields.slice(2).every(isDoorSize);
   if (!isComplete || !isSound) {
     throw new FloorPlanError(
       'option/invalid',
@@ -68,4 +68,5 @@ function parseCut(entry: string, number: number): DoorCut {
   return height === undefined ? { x, y, width } : { x, y, width, height };
 }
 
-const isSize = (size: number): boolean => size >= LEAST_SIZE && size <= MOST_SIZE;
+/** Whether a door may be so wide or high. @param size m */
+export const isDoorSize = (size: number): boolean => size >= LEAST_SIZE && size <= MOST_SIZE;

@@ -114,7 +114,9 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
 /** Seen from above: (691823.12, 5336027.50) m. */
 function placeInSource(frame: Frame, x: number, y: number): string {
   const to = sourceCoordinates(frame, TOLD_PRECISION);
-  return `(${to.x(x).toFixed(to.digits)}, ${to.y(y).toFixed(to.digits)}) ${frame.unit}`;
+  // Twice, since rounding may leave a negative zero.
+  const read = (value: number) => Number(value.toFixed(to.digits)).toFixed(to.digits);
+  return `(${read(to.x(x))}, ${read(to.y(y))}) ${frame.unit}`;
 }
 
 function count(n: number, singular: string, plural = `${singular}s`): string {

@@ -1,5 +1,5 @@
 import { type GivenValues, PARAMS, type ParamName, type ParamRow } from '../core/params.ts';
-import { doorsField } from './doors-field.ts';
+import { doorsField } from './doors/doors-field.ts';
 import type { Field, FieldFacts } from './field.ts';
 import { icon } from './icon.ts';
 import { listField } from './list-field.ts';
@@ -14,7 +14,7 @@ export function makeControl(name: ParamName, actions: Actions): Panel {
   const id = `param-${name}`;
   const change = (value: unknown, isFinal: boolean) =>
     actions.change({ [name]: value } as GivenValues, isFinal);
-  const field = makeField({ id, name, row, change });
+  const field = makeField({ id, name, row, change }, actions);
   const reset = make(
     'button',
     {
@@ -46,7 +46,7 @@ export function makeControl(name: ParamName, actions: Actions): Panel {
   };
 }
 
-function makeField(facts: FieldFacts): Field {
+function makeField(facts: FieldFacts, actions: Actions): Field {
   switch (facts.row.kind) {
     case 'number':
     case 'auto-number':
@@ -58,7 +58,7 @@ function makeField(facts: FieldFacts): Field {
     case 'choice-list':
       return listField(facts, facts.row.choices);
     case 'doors':
-      return doorsField(facts);
+      return doorsField(facts, actions);
     case 'level':
       throw new TypeError('The level has a picker of its own.');
   }

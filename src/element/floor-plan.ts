@@ -9,7 +9,7 @@ import type { Spawn } from '../worker/spawn.ts';
 import { ATTRIBUTES, LAYOUTS, type Layout, PARAM_ATTRIBUTES, type PlanState } from './contract.ts';
 import { bundleFiles, saveFile } from './files.ts';
 import { GivenOptions } from './given-options.ts';
-import type { Actions, Model } from './model.ts';
+import type { Actions, Model, Stretch } from './model.ts';
 import { PlanMaker, type Source } from './plan-maker.ts';
 import { Shell } from './shell.ts';
 import { StepChoice } from './step-choice.ts';
@@ -20,6 +20,9 @@ const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
 /** Keys that leaf through the steps. */
 const STEP_KEYS: Readonly<Record<string, 1 | -1>> = { '[': -1, ']': 1 };
+
+/** The key that takes up the tool for doors, or puts it down. */
+const DOOR_KEY = 'd';
 
 /** A moved slider makes the plan again when it has rested this long, ms. */
 const REST = 140;
@@ -45,6 +48,8 @@ export class FloorPlanElement extends Base {
   #shell: Shell | null = null;
   #spawnWorker: Spawn | null = null;
   #storey = 0;
+  #isCutting = false;
+  #marked: Stretch | null = null;
   #rest = 0;
   #frame = 0;
 
@@ -176,7 +181,10 @@ export class FloorPlanElement extends Base {
       save: (format) => void this.#save(format),
       dismiss: () => this.#maker.dismiss(),
       setUnit: (unit) => this.setAttribute('display-units', unit),
-      setLayout: (layout) => this.setAttribute('view', layout),
+      setLayout: (layout) => {
+        if (layout === '3d') this.#isCutting = false;
+        this.setAttribute('view', layout);
+      },
       setStorey: (storey) => {
         this.#storey = storey;
         this.#invalidate();
@@ -184,18 +192,40 @@ export class FloorPlanElement extends Base {
       showStep: (name) => this.#showStep(name),
       moveStep: (by) => this.#moveStep(by),
       turnSteps: (of) => this.#turnSteps(of),
-      picture: (name, of) => this.#maker.picture(name, of),
+      picture: (asked) => this.#maker.picture(asked),
       compare: ({ options, labels }, onProgress) =>
         this.#maker.compare({ options: { ...this.#given.now, ...options }, labels }, onProgress),
       stopComparing: () => this.#maker.stopComparing(),
+      cutDoors: (isCutting) => this.#cutDoors(isCutting),
+      mark: (stretch) => {
+        this.#marked = stretch;
+        this.#invalidate();
+      },
     };
   }
 
   #showStep(name: string | null): void {
     this.#steps.open(name);
-    // Where the model alone is shown, the picture needs a place.
-    if (name !== null && this.getAttribute('view') === '3d') this.setAttribute('view', 'split');
+    if (name !== null) {
+      this.#isCutting = false;
+      this.#showSheet();
+    }
     this.#invalidate();
+  }
+
+  /** Doors are cut in the drawing, so that comes to the front. */
+  #cutDoors(isCutting: boolean): void {
+    this.#isCutting = isCutting && this.#maker.view !== null;
+    if (this.#isCutting) {
+      this.#steps.open(null);
+      this.#showSheet();
+    }
+    this.#invalidate();
+  }
+
+  /** Where the model alone is shown, the 2D view needs a place. */
+  #showSheet(): void {
+    if (this.getAttribute('view') === '3d') this.setAttribute('view', 'split');
   }
 
   #moveStep(by: 1 | -1): void {
@@ -298,14 +328,22 @@ export class FloorPlanElement extends Base {
         pictures: this.#steps.pictures,
         picture: this.#steps.picture,
       },
+      isCutting: this.#isCutting,
+      marked: this.#marked,
     };
   }
 
   readonly #key = (event: KeyboardEvent): void => {
     const [target] = event.composedPath();
+    if (event.key === 'Escape' && this.#isCutting) this.#cutDoors(false);
     // In a field the browser's own undo comes first.
     const isTyping = target instanceof HTMLInputElement && ['number', 'text'].includes(target.type);
     if (isTyping) return;
+    const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey;
+    // In a list a letter chooses.
+    const isChoosing = target instanceof HTMLSelectElement;
+    const isForDoors = isPlain && !isChoosing && this.hasAttribute('controls');
+    if (isForDoors && event.key.toLowerCase() === DOOR_KEY) this.#cutDoors(!this.#isCutting);
     const by = STEP_KEYS[event.key];
     if (by && this.#steps.picture) this.#moveStep(by);
     if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;

@@ -2,6 +2,7 @@ import check from 'lucide-static/icons/check.svg?raw';
 import chevron from 'lucide-static/icons/chevron-right.svg?raw';
 import alert from 'lucide-static/icons/circle-alert.svg?raw';
 import help from 'lucide-static/icons/circle-question-mark.svg?raw';
+import door from 'lucide-static/icons/door-open.svg?raw';
 import download from 'lucide-static/icons/download.svg?raw';
 import open from 'lucide-static/icons/folder-open.svg?raw';
 import picture from 'lucide-static/icons/images.svg?raw';
@@ -25,6 +26,7 @@ const SOURCES = {
   chevron,
   close,
   dark,
+  door,
   download,
   fit,
   help,

@@ -1,8 +1,15 @@
 import type { GivenValues, Options, ParamName } from '../core/params.ts';
 import type { Progress } from '../core/pipeline-run.ts';
-import type { Warning } from '../core/types.ts';
+import type { Gap, Warning } from '../core/types.ts';
 import type { DisplayUnit } from '../view/measure.ts';
-import type { Comparison, ComparisonRequest, PictureFacts, PictureOf, PlanView } from '../worker/protocol.ts';
+import type {
+  Comparison,
+  ComparisonRequest,
+  PictureAsked,
+  PictureFacts,
+  PictureOf,
+  PlanView,
+} from '../worker/protocol.ts';
 import type { Layout, PlanState } from './contract.ts';
 import type { FailedRun } from './plan-maker.ts';
 
@@ -32,7 +39,14 @@ export interface Model {
   readonly layout: Layout;
   readonly storey: number;
   readonly steps: StepsShown;
+  /** The pointer cuts doors in the drawing. */
+  readonly isCutting: boolean;
+  /** A stretch of wall pointed out in the drawing. */
+  readonly marked: Stretch | null;
 }
+
+/** From and to, plan metres. */
+export type Stretch = Pick<Gap, 'from' | 'to'>;
 
 /** The pictures of the steps, and the one in place of the drawing. */
 export interface StepsShown {
@@ -66,10 +80,14 @@ export interface Actions {
   /** To the pictures of the plan, or to the last one of the run that failed. */
   turnSteps(of: PictureOf): void;
   /** @throws FloorPlanError */
-  picture(name: string, of: PictureOf): Promise<string | null>;
+  picture(asked: PictureAsked): Promise<string | null>;
   /** What changed options make of the scan, beside its plan, which stays. @throws FloorPlanError */
   compare(request: ComparisonRequest, onProgress: (progress: Progress) => void): Promise<Comparison>;
   stopComparing(): void;
+  /** Gives the pointer in the drawing the tool that cuts doors, or takes it back. */
+  cutDoors(isCutting: boolean): void;
+  /** Points out a stretch of wall in the drawing; null takes that back. */
+  mark(stretch: Stretch | null): void;
 }
 
 /** A piece of the element. */

@@ -8,7 +8,7 @@ import type {
   ComparisonRequest,
   Evidence,
   ExportedFile,
-  PictureOf,
+  PictureAsked,
   PlanView,
 } from '../worker/protocol.ts';
 import type { Spawn } from '../worker/spawn.ts';
@@ -154,8 +154,8 @@ export class PlanMaker {
   }
 
   /** A stage's picture as SVG text; null where that run has none. @throws FloorPlanError */
-  picture(name: string, of: PictureOf): Promise<string | null> {
-    return this.#client.picture(name, of);
+  picture(asked: PictureAsked): Promise<string | null> {
+    return this.#client.picture(asked);
   }
 
   /** What other parameters make of the scan shown, beside its plan, which stays. @throws FloorPlanError */

@@ -1,4 +1,4 @@
-import { PARAM_NAMES } from '../core/params.ts';
+import { PARAM_NAMES, PARAMS } from '../core/params.ts';
 import { STAGE_NAMES } from '../core/stages.ts';
 import { iconButton } from './chips.ts';
 import { makeExportMenu } from './export-menu.ts';
@@ -27,7 +27,9 @@ export function makeRail(actions: Actions): Panel {
     node.classList.toggle('is-open', isOpen);
   };
   const status = makeRunStatus(actions);
-  const warnings = makeWarningsList();
+  const warnings = makeWarningsList({
+    'boundary/gap-bridged': { label: 'Make doors of gaps', run: () => showDoors() },
+  });
   // On a phone the rail lies over the picture it leads to.
   const leading: Actions = {
     ...actions,
@@ -35,9 +37,18 @@ export function makeRail(actions: Actions): Panel {
       unfoldTo(false);
       actions.showStep(name);
     },
+    cutDoors: (isCutting) => {
+      unfoldTo(false);
+      actions.cutDoors(isCutting);
+    },
   };
   const preset = makePresetPicker(actions);
   const rows = STAGE_NAMES.map((stage) => makeStageRow(stage, leading));
+  const showDoors = () => {
+    unfoldTo(true);
+    const row = rows[STAGE_NAMES.indexOf(PARAMS.doors.stage)];
+    openAt(row.node as HTMLDetailsElement, '.door-list button');
+  };
   const exports = makeExportMenu(actions);
   const heading = make('div', { class: 'section-head' }, make('h2', {}, 'Steps'), undo, redo, reset);
   const stages = make('div', { class: 'stages' }, ...rows.map((row) => row.node));
@@ -60,4 +71,12 @@ export function makeRail(actions: Actions): Panel {
       for (const panel of panels) panel.show(model);
     },
   };
+}
+
+/** Opens a stage and brings the keyboard to a control in it, whose parts are made when it first opens. */
+function openAt(stage: HTMLDetailsElement, selector: string): void {
+  const focus = () => stage.querySelector<HTMLElement>(selector)?.focus();
+  if (stage.open) focus();
+  else stage.addEventListener('toggle', focus, { once: true });
+  stage.open = true;
 }

@@ -1,5 +1,7 @@
 import { SheetView } from '../view/sheet.ts';
+import type { PlanView } from '../worker/protocol.ts';
 import { iconButton, toggleChip } from './chips.ts';
+import { DoorTool } from './doors/door-tool.ts';
 import { icon } from './icon.ts';
 import { make, setAttribute, setText } from './make.ts';
 import type { Actions, Model } from './model.ts';
@@ -29,10 +31,25 @@ export class SheetPane {
       class: 'chip',
       testid: 'compare',
       'aria-pressed': 'false',
-      on: { click: () => this.#steps?.compare(!this.#steps.isComparing) },
+      on: { click: () => this.#toggleComparison() },
     },
     'Compare',
   );
+  readonly #cut = make(
+    'button',
+    {
+      type: 'button',
+      class: 'chip',
+      testid: 'cut-doors',
+      title: 'Cut doors in the drawing (D)',
+      'aria-pressed': 'false',
+      'aria-keyshortcuts': 'D',
+      on: { click: () => this.#actions.cutDoors(!this.#model?.isCutting) },
+    },
+    icon('door'),
+    'Cut door',
+  );
+  readonly #doors: DoorTool;
   readonly #actions: Actions;
   readonly node: HTMLElement;
   #sheet: SheetView | null = null;
@@ -42,11 +59,14 @@ export class SheetPane {
   #life = 0;
   #model: Model | null = null;
   #wantsFocus = false;
+  /** Asked for while the steps' code is on its way. */
+  #wantsComparison = false;
   #drawing = '';
   #name = '';
 
   constructor(actions: Actions) {
     this.#actions = actions;
+    this.#doors = new DoorTool(actions);
     this.node = make(
       'section',
       { class: 'pane pane-2d', 'aria-label': 'Plan' },
@@ -55,6 +75,7 @@ export class SheetPane {
         { class: 'tools' },
         this.#look.node,
         this.#points,
+        this.#cut,
         this.#storeys,
         this.#compare,
         make('span', { class: 'spacer' }),
@@ -62,6 +83,7 @@ export class SheetPane {
         iconButton('Zoom in', icon('plus'), () => this.#front?.zoomIn()),
         iconButton('Show all of the plan', icon('fit'), () => this.#front?.fit()),
       ),
+      this.#doors.bar.node,
       this.#host,
       this.#notice,
     );
@@ -69,6 +91,7 @@ export class SheetPane {
 
   connect(): void {
     this.#sheet = new SheetView(this.#host);
+    this.#doors.attach(this.#sheet);
     this.#drawing = '';
   }
 
@@ -76,6 +99,7 @@ export class SheetPane {
     this.#life++;
     this.#sheet?.dispose();
     this.#sheet = null;
+    this.#doors.attach(null);
     this.#steps?.dispose();
     this.#steps = null;
     this.#opening = null;
@@ -89,17 +113,23 @@ export class SheetPane {
     this.#look.set(isStepping ? 'steps' : 'drawing');
     this.#look.node.hidden = steps.pictures.length === 0;
     this.#points.hidden = isStepping;
+    this.#cut.hidden = isStepping || !view;
+    setAttribute(this.#cut, 'aria-pressed', String(model.isCutting));
     this.#compare.hidden = !isStepping || steps.of === 'failed';
     this.#host.hidden = isStepping;
     if (isStepping) void this.#showSteps();
     else this.#hideSteps();
     this.#showStoreys(isStepping ? 0 : (view?.drawings.length ?? 0), storey);
-    if (!view) return;
-    const drawing = view.drawings[Math.min(storey, view.drawings.length - 1)];
+    if (view) this.#showDrawing(view, Math.min(storey, view.drawings.length - 1), name);
+    this.#doors.show(model);
+  }
+
+  #showDrawing({ drawings, plan, slice }: PlanView, storey: number, name: string): void {
+    const drawing = drawings[storey];
     if (drawing === this.#drawing) return;
     this.#drawing = drawing;
-    const { frame, source } = view.plan;
-    this.#sheet?.show({ drawing, frame, source: source.name, slice: view.slice }, name !== this.#name);
+    const { frame, source } = plan;
+    this.#sheet?.show({ drawing, frame, source: source.name, slice }, name !== this.#name);
     this.#name = name;
   }
 
@@ -135,10 +165,21 @@ export class SheetPane {
     this.#steps.show(this.#model);
     if (this.#wantsFocus) this.#steps.focus();
     this.#wantsFocus = false;
+    if (this.#wantsComparison) this.#steps.compare(true);
+    this.#wantsComparison = false;
+  }
+
+  #toggleComparison(): void {
+    if (this.#steps) this.#steps.compare(!this.#steps.isComparing);
+    else {
+      this.#wantsComparison = !this.#wantsComparison;
+      setAttribute(this.#compare, 'aria-pressed', String(this.#wantsComparison));
+    }
   }
 
   #hideSteps(): void {
     this.#notice.hidden = true;
+    this.#wantsComparison = false;
     if (!this.#steps || this.#steps.node.hidden) return;
     this.#steps.compare(false);
     this.#steps.node.hidden = true;

@@ -7,8 +7,14 @@ import { sayLabels } from './plain-words.ts';
 /** More than this would push the steps out of sight; the rest waits behind a button. */
 const SHOWN_AT_ONCE = 2;
 
-/** Everything about this plan that wants attention, in one quiet place, with what to try. */
-export function makeWarningsList(): Panel {
+/** What a person can do about a warning at once. */
+export interface WarningAct {
+  readonly label: string;
+  run(): void;
+}
+
+/** Everything about this plan that wants attention, in one quiet place, with what to try. @param acts by a warning's code */
+export function makeWarningsList(acts: Readonly<Record<string, WarningAct>> = {}): Panel {
   const list = make('ul', { id: 'warnings' });
   const more = make('button', {
     type: 'button',
@@ -33,14 +39,15 @@ export function makeWarningsList(): Panel {
       if (key === shown) return;
       shown = key;
       node.hidden = warnings.length === 0;
-      list.replaceChildren(...warnings.map(makeItem));
+      list.replaceChildren(...warnings.map((warning) => makeItem(warning, acts[warning.code])));
       unfold(false);
     },
   };
 }
 
-function makeItem({ code, message, hint }: Warning): HTMLElement {
+function makeItem({ code, message, hint }: Warning, act?: WarningAct): HTMLElement {
   const words = make('div', {}, make('p', {}, sayLabels(message)));
   if (hint) words.append(make('p', { class: 'hint' }, sayLabels(hint)));
+  if (act) words.append(make('button', { type: 'button', class: 'link', on: { click: act.run } }, act.label));
   return make('li', { 'data-code': code }, icon('warning'), words);
 }

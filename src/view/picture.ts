@@ -1,10 +1,9 @@
 import { PanZoom } from './pan-zoom.ts';
 import { parsePicture } from './parse-drawing.ts';
+import { listenForPress } from './press.ts';
 
 /** Room left around a fitted picture, px. */
 const MARGIN = 12;
-/** A press that moves further than this is a drag, px. */
-const STILL = 4;
 /** Width of the margin around what can be picked, of the picture's 640 px. */
 const REACH = 24;
 
@@ -18,7 +17,6 @@ export class PictureView {
   #svg: SVGSVGElement | null = null;
   #size: readonly [width: number, height: number] = [1, 1];
   #isFitted = true;
-  #pressed: readonly [x: number, y: number] = [0, 0];
 
   /**
    * @param host an empty element; it gets the keyboard focus and the gestures
@@ -33,17 +31,11 @@ export class PictureView {
     this.#panZoom = new PanZoom(host, { onMove: () => this.#moved(), onFit: () => this.fit() });
     this.#resize = new ResizeObserver(() => this.#isFitted && this.fit());
     this.#resize.observe(host);
-    const { signal } = this.#listening;
-    host.addEventListener('pointerdown', ({ clientX, clientY }) => this.#press(clientX, clientY), { signal });
-    host.addEventListener(
-      'click',
-      ({ clientX, clientY }) => {
-        const moved = Math.hypot(clientX - this.#pressed[0], clientY - this.#pressed[1]);
-        const found = moved < STILL ? this.#pickAt(clientX, clientY) : null;
-        if (found) onPick(found);
-      },
-      { signal },
-    );
+    const press = ({ clientX, clientY }: MouseEvent) => {
+      const found = this.#pickAt(clientX, clientY);
+      if (found) onPick(found);
+    };
+    listenForPress(host, press, this.#listening.signal);
   }
 
   /** Shows a picture; place and zoom stay where it is of the same size, unless it `isNew`. @throws input/malformed */
@@ -90,10 +82,6 @@ export class PictureView {
   #place(): void {
     const { zoom, x, y } = this.#panZoom.placement;
     if (this.#svg) this.#svg.style.transform = `matrix(${zoom}, 0, 0, ${zoom}, ${x}, ${y})`;
-  }
-
-  #press(x: number, y: number): void {
-    this.#pressed = [x, y];
   }
 
   /** What can be picked at a place of the screen: what is drawn there before what is only near. */

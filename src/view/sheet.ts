@@ -4,7 +4,9 @@ import type { DisplayUnit } from './measure.ts';
 import { PanZoom } from './pan-zoom.ts';
 import { type Drawing, parseDrawing, type SheetTransform } from './parse-drawing.ts';
 import { PointLayer } from './point-layer.ts';
+import { listenForPress } from './press.ts';
 import { ScaleBar } from './scale-bar.ts';
+import { type SheetMark, SheetMarks } from './sheet-marks.ts';
 
 export interface SheetContent {
   /** The SVG text that is exported. */
@@ -16,6 +18,24 @@ export interface SheetContent {
   readonly slice: Slice;
 }
 
+/** A place of the plan under a pointer. */
+export interface SheetPlace {
+  /** Plan metres. */
+  readonly at: readonly [x: number, y: number];
+  /** What a hand misses by, m. */
+  readonly reach: number;
+}
+
+/** What a pointer does to the plan while it is held. */
+export interface SheetTool {
+  /** Where it rests; null where it left, and for what cannot rest, as a finger. */
+  hover(place: SheetPlace | null): void;
+  press(place: SheetPlace): void;
+}
+
+/** A mouse and a finger miss by so much, px. */
+const MOUSE_REACH = 4;
+const TOUCH_REACH = 14;
 /** Room left around the sheet when it is fitted, and for the scale bar under it, px. */
 const MARGIN = 16;
 const FOOT = 40;
@@ -28,10 +48,13 @@ export class SheetView {
   readonly #page = document.createElement('div');
   readonly #points = new PointLayer();
   readonly #paper = document.createElement('div');
+  readonly #marks = new SheetMarks();
   readonly #scaleBar = new ScaleBar();
   readonly #coordinates = document.createElement('div');
   readonly #panZoom: PanZoom;
   readonly #resize: ResizeObserver;
+  readonly #listening = new AbortController();
+  #tool: SheetTool | null = null;
   #drawing: Drawing | null = null;
   #frame: Frame | null = null;
   #unit: DisplayUnit = 'm';
@@ -50,13 +73,12 @@ export class SheetView {
     this.#paper.hidden = true;
     this.#coordinates.className = 'coordinates';
     this.#scaleBar.node.hidden = true;
-    host.append(this.#page, this.#points.node, this.#paper, this.#coordinates, this.#scaleBar.node);
+    host.append(this.#page, this.#points.node, this.#paper, this.#marks.node);
+    host.append(this.#coordinates, this.#scaleBar.node);
     this.#panZoom = new PanZoom(host, { onMove: () => this.#moved(), onFit: () => this.fit() });
     this.#resize = new ResizeObserver(() => (this.#isFitted ? this.fit() : this.#schedule()));
     this.#resize.observe(host);
-    host.addEventListener('pointermove', this.#point);
-    host.addEventListener('pointerleave', this.#leave);
-    host.addEventListener('transitionend', this.#recolour);
+    this.#listen();
   }
 
   /** Shows a drawing; place and zoom stay where the sheet is the same, unless it `isNew`. @throws input/malformed */
@@ -96,6 +118,18 @@ export class SheetView {
     if (isShown) this.#schedule();
   }
 
+  /** Hands the pointer to a tool, beside moving and zooming; null takes it back. */
+  setTool(tool: SheetTool | null): void {
+    this.#tool = tool;
+    this.#host.classList.toggle('has-tool', tool !== null);
+  }
+
+  /** Marks stretches of wall; those before go. */
+  mark(marks: readonly SheetMark[]): void {
+    this.#marks.set(marks);
+    if (this.#drawing) this.#marks.draw(this.#drawing.planToSheet, this.#panZoom.placement);
+  }
+
   fit(): void {
     if (!this.#drawing) return;
     const { width, height } = this.#drawing;
@@ -115,9 +149,7 @@ export class SheetView {
     cancelAnimationFrame(this.#pending);
     this.#resize.disconnect();
     this.#panZoom.dispose();
-    this.#host.removeEventListener('pointermove', this.#point);
-    this.#host.removeEventListener('pointerleave', this.#leave);
-    this.#host.removeEventListener('transitionend', this.#recolour);
+    this.#listening.abort();
     this.#host.replaceChildren();
   }
 
@@ -140,31 +172,58 @@ export class SheetView {
     // Points take a moment; the drawing waits for them, so that both move as one.
     if (!this.#points.node.hidden) await this.#points.draw(drawing.planToSheet, placement);
     drawing.svg.style.transform = `matrix(${zoom}, 0, 0, ${zoom}, ${x}, ${y})`;
+    this.#marks.draw(drawing.planToSheet, placement);
     this.#page.style.transform = `translate(${x}px, ${y}px)`;
     this.#page.style.width = `${zoom * drawing.width}px`;
     this.#page.style.height = `${zoom * drawing.height}px`;
     this.#scaleBar.show(zoom * Math.hypot(a, b), this.#unit);
   }
 
-  readonly #point = (event: PointerEvent): void => {
-    if (!this.#drawing || !this.#frame) return;
-    const { left, top } = this.#host.getBoundingClientRect();
-    const { zoom, x, y } = this.#panZoom.placement;
-    const [sx, sy] = [(event.clientX - left - x) / zoom, (event.clientY - top - y) / zoom];
-    const [px, py] = invert(this.#drawing.planToSheet, sx, sy);
+  #listen(): void {
+    const { signal } = this.#listening;
+    const host = this.#host;
+    host.addEventListener('pointermove', (event) => this.#point(event), { signal });
+    host.addEventListener('pointerleave', () => this.#leave(), { signal });
+    // The host's colour has a transition, so its end tells that the theme changed.
+    host.addEventListener('transitionend', ({ target }) => target === host && this.#schedule(), { signal });
+    listenForPress(host, (click, pointerType) => this.#press(click, pointerType), signal);
+    // With a tool in hand two presses are two presses.
+    const isolate = (event: Event) => this.#tool && event.stopPropagation();
+    host.addEventListener('dblclick', isolate, { signal, capture: true });
+  }
+
+  #point(event: PointerEvent): void {
+    const place = this.#placeOf(event, event.pointerType);
+    if (!place || !this.#frame) return;
     const to = sourceCoordinates(this.#frame, PRECISION);
     const read = (value: number) => value.toFixed(to.digits);
-    this.#coordinates.textContent = `${read(to.x(px))}, ${read(to.y(py))} ${this.#frame.unit}`;
-  };
+    const [x, y] = place.at;
+    this.#coordinates.textContent = `${read(to.x(x))}, ${read(to.y(y))} ${this.#frame.unit}`;
+    const isResting = event.buttons === 0 && event.pointerType !== 'touch';
+    this.#tool?.hover(isResting ? place : null);
+  }
 
-  readonly #leave = (): void => {
+  #press(click: MouseEvent, pointerType: string): void {
+    const place = this.#placeOf(click, pointerType);
+    if (place) this.#tool?.press(place);
+  }
+
+  #leave(): void {
     this.#coordinates.textContent = '';
-  };
+    this.#tool?.hover(null);
+  }
 
-  /** The host's colour has a transition, so its end tells that the theme changed. */
-  readonly #recolour = ({ target }: Event): void => {
-    if (target === this.#host) this.#schedule();
-  };
+  #placeOf({ clientX, clientY }: MouseEvent, pointerType: string): SheetPlace | null {
+    if (!this.#drawing) return null;
+    const { planToSheet } = this.#drawing;
+    const { left, top } = this.#host.getBoundingClientRect();
+    const { zoom, x, y } = this.#panZoom.placement;
+    const reach = pointerType === 'touch' ? TOUCH_REACH : MOUSE_REACH;
+    return {
+      at: invert(planToSheet, (clientX - left - x) / zoom, (clientY - top - y) / zoom),
+      reach: reach / (zoom * Math.hypot(planToSheet[0], planToSheet[1])),
+    };
+  }
 }
 
 function invert([a, b, c, d, e, f]: SheetTransform, x: number, y: number): readonly [number, number] {

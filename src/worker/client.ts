@@ -7,12 +7,12 @@ import type {
   ComparisonRequest,
   Evidence,
   ExportedFile,
-  PictureOf,
+  PictureAsked,
   PlanView,
   Request,
   Response,
 } from './protocol.ts';
-import { type Line, openMainThread, openWorker, type Spawn, spawnOrder } from './spawn.ts';
+import { type Line, openMainThread, openWorker, type Spawn, type Start, spawnOrder } from './spawn.ts';
 
 export interface ClientEvents {
   onProgress?(progress: Progress): void;
@@ -51,7 +51,7 @@ type RequestBody = Request extends infer R ? (R extends Request ? Omit<R, 'id'> 
 export class PlanClient {
   readonly #events: ClientEvents;
   /** The ways to a worker that are left; null before the first is tried. */
-  #spawns: Spawn[] | null = null;
+  #starts: Start[] | null = null;
   readonly #pending = new Map<number, Pending>();
   #line: Line | null = null;
   #isReady = false;
@@ -95,9 +95,9 @@ export class PlanClient {
   }
 
   /** A stage's picture as SVG text, or null where that run has none. @throws FloorPlanError */
-  async picture(name: string, of: PictureOf): Promise<string | null> {
+  async picture(asked: PictureAsked): Promise<string | null> {
     await this.#hold();
-    return this.#ask<string | null>({ kind: 'picture', name, of });
+    return this.#ask<string | null>({ kind: 'picture', ...asked });
   }
 
   /**
@@ -159,9 +159,9 @@ export class PlanClient {
   #open(): void {
     const events = { onResponse: (r: Response) => this.#receive(r), onBroken: () => this.#broke() };
     this.#isReady = false;
-    this.#spawns ??= spawnOrder(this.#events.spawnWorker?.());
-    const [spawn] = this.#spawns;
-    if (!spawn) {
+    this.#starts ??= spawnOrder(this.#events.spawnWorker?.());
+    const [start] = this.#starts;
+    if (!start) {
       this.#events.onWarning?.({
         code: 'environment/worker',
         message: 'No worker could be started, so the plan is made on the page itself, which may stall.',
@@ -170,11 +170,7 @@ export class PlanClient {
       this.#line = openMainThread(events);
       return;
     }
-    try {
-      this.#line = openWorker(spawn, events);
-    } catch {
-      this.#broke();
-    }
+    this.#line = openWorker(start, events);
   }
 
   /** A line that never got ready is replaced by the next way to a worker; one that did has died. */
@@ -186,7 +182,7 @@ export class PlanClient {
       this.#rejectAll(new FloorPlanError('environment/worker', 'The worker stopped unexpectedly.', { hint }));
       return;
     }
-    this.#spawns?.shift();
+    this.#starts?.shift();
     this.#open();
   }
 

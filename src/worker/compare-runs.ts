@@ -41,7 +41,7 @@ export function compareRuns({ labels, here, there, timeOf }: ComparedRuns): Comp
     { label: labels[1], results },
   ] as const;
   // Both runs came to their end, so both have an outline to draw.
-  const draw = (layout: 'overlaid' | 'beside') => drawComparison(...sides, { layout })!;
+  const draw = (layout: 'overlaid' | 'beside') => drawComparison(...sides, { layout, subject })!;
   const planOf = ({ solid }: StageResults, side: 0 | 1, ms: number) => ({
     vertices: vertices[side],
     areaM2: areaM2[side],

@@ -2,21 +2,24 @@ import type { StageReport } from '../core/pipeline-run.ts';
 import type { StageResults } from '../core/stage-results.ts';
 import type { StageName } from '../core/stages.ts';
 import {
+  type PictureFacts as DrawnFacts,
   drawPicture,
   hasPicture,
   PICTURE_NAMES,
   PICTURES,
   type PictureName,
   pictureFile,
+  roundsOf,
 } from '../write/pictures.ts';
 import type { PictureFacts } from './protocol.ts';
 
 type Results = Partial<StageResults>;
+type Asked = Pick<DrawnFacts, 'options' | 'round'>;
 
 /** Draws the pictures of runs, each once as long as its stage's result lives. */
 export class PictureDesk {
   /** By result of a stage: the stages before have made the same as long as it is the same. */
-  readonly #drawn = new WeakMap<object, Map<PictureName, string | null>>();
+  readonly #drawn = new WeakMap<object, Map<string, string | null>>();
   /** Of each stage, when it last ran. */
   readonly #reports = new Map<StageName, StageReport>();
 
@@ -26,7 +29,8 @@ export class PictureDesk {
     return PICTURE_NAMES.filter((name) => hasPicture(name, results)).map((name) => {
       const { label, doc, stage, figure } = PICTURES[name];
       const { outcome = '', ms = 0 } = this.#reports.get(stage) ?? {};
-      return { name, file: pictureFile(name), stage, label, doc, figure, outcome, ms };
+      const rounds = roundsOf(name, results);
+      return { name, file: pictureFile(name), stage, label, doc, figure, outcome, ms, rounds };
     });
   }
 
@@ -35,15 +39,19 @@ export class PictureDesk {
     return this.#reports.get(stage)?.ms ?? 0;
   }
 
-  /** @returns SVG text, or null for a name that is no picture and where there is nothing to show */
-  draw(name: string, results: Results): string | null {
+  /**
+   * @param facts options of that run, and the round asked for
+   * @returns SVG text, or null for a name that is no picture and where there is nothing to show
+   */
+  draw(name: string, results: Results, facts: Asked): string | null {
     if (!isPicture(name)) return null;
     const result = results[PICTURES[name].stage];
     if (!result) return null;
-    const drawn = this.#drawn.get(result) ?? new Map<PictureName, string | null>();
+    const drawn = this.#drawn.get(result) ?? new Map<string, string | null>();
     this.#drawn.set(result, drawn);
-    const picture = drawn.get(name) ?? drawPicture(name, results);
-    drawn.set(name, picture);
+    const key = `${name} ${facts.round ?? 'last'}`;
+    const picture = drawn.get(key) ?? drawPicture(name, results, facts);
+    drawn.set(key, picture);
     return picture;
   }
 }

@@ -37,6 +37,8 @@ export interface PictureFacts {
   readonly outcome: string;
   /** Of its stage, when it last ran. */
   readonly ms: number;
+  /** Rounds of the search for structures that can be asked for; 1 where there is no choice. */
+  readonly rounds: number;
 }
 
 /** How far a run that failed got. */
@@ -49,6 +51,14 @@ export interface Evidence {
 
 /** Whose picture: of the plan shown, or of the run that failed after it. */
 export type PictureOf = 'plan' | 'failed';
+
+/** Which picture is asked for. */
+export interface PictureAsked {
+  readonly name: string;
+  readonly of: PictureOf;
+  /** From 1; where absent the last. */
+  readonly round?: number | undefined;
+}
 
 /** What is asked of a comparison. */
 export type ComparisonRequest = Pick<Extract<Request, { kind: 'compare' }>, 'options' | 'labels'>;
@@ -99,7 +109,7 @@ export type Request =
     }
   | { readonly kind: 'update'; readonly id: number; readonly options: GivenValues }
   | { readonly kind: 'export'; readonly id: number; readonly format: string }
-  | { readonly kind: 'picture'; readonly id: number; readonly name: string; readonly of: PictureOf }
+  | ({ readonly kind: 'picture'; readonly id: number } & PictureAsked)
   /** What other parameters make of the scan; the plan shown stays. */
   | {
       readonly kind: 'compare';

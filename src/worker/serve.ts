@@ -1,4 +1,6 @@
 import { FloorPlanError, toPlainError } from '../core/errors.ts';
+import { resolveOptions } from '../core/options.ts';
+import type { Options } from '../core/params.ts';
 import type { StageResults } from '../core/stage-results.ts';
 import { STAGE_NAMES, type StageName } from '../core/stages.ts';
 import { blobSource } from '../read/blob-source.ts';
@@ -58,6 +60,7 @@ class Desk {
   readonly #session = new Session({ breathe });
   readonly #pictures = new PictureDesk();
   readonly #results: Record<PictureOf, Partial<StageResults>> = { plan: {}, failed: {} };
+  readonly #options: Partial<Record<PictureOf, Options | undefined>> = {};
 
   constructor(post: Post) {
     this.#post = post;
@@ -72,7 +75,10 @@ class Desk {
       case 'compare':
         return this.#compare(request, signal);
       case 'picture': {
-        const svg = this.#pictures.draw(request.name, this.#results[request.of]);
+        const { name, of, round } = request;
+        const options = this.#options[of];
+        const facts = { ...(options && { options }), ...(round && { round }) };
+        const svg = this.#pictures.draw(name, this.#results[of], facts);
         return this.#post({ kind: 'picture', id, svg });
       }
       case 'export': {
@@ -93,6 +99,8 @@ class Desk {
     } catch (error) {
       if (error instanceof FloorPlanError && error.code === 'cancelled') throw error;
       this.#results.failed = this.#session.evidence;
+      const { read } = this.#results.failed;
+      this.#options.failed = read && resolveOptions(request.options, read);
       const { reports } = this.#session;
       const pictures = this.#pictures.list(this.#results.failed, reports);
       const evidence = { stage: STAGE_NAMES[reports.length], pictures };
@@ -100,6 +108,7 @@ class Desk {
     }
     const totalMs = performance.now() - start;
     this.#results.plan = this.#session.evidence;
+    this.#options.plan = this.#session.result?.options;
     this.#results.failed = {};
     const pictures = this.#pictures.list(this.#results.plan, this.#session.reports);
     const { view, transfer } = makeView(this.#session, pictures, totalMs);

@@ -1,5 +1,7 @@
-/** The only file that knows the bundler: the worker's code travels inline, so a consumer's build cannot lose it. */
-import InlineWorker from './entry.ts?worker&inline';
+/**
+ * The only file that knows the bundler: the worker's code travels inline, so a consumer's build cannot lose it, in a
+ * chunk of its own, so the page stands before it has come.
+ */
 import type { Request, Response } from './protocol.ts';
 
 /** Two ends of one line: a worker, or the page's own thread. A closed line says nothing more. */
@@ -15,25 +17,40 @@ export interface LineEvents {
 }
 
 export type Spawn = () => Worker;
+/** As a {@link Spawn}, or with code that has to be fetched first. */
+export type Start = () => Worker | Promise<Worker>;
 
 /** Ways to a worker, in order: the given function, then the inline one. The page's own thread comes last. */
-export function spawnOrder(given?: Spawn | null): Spawn[] {
-  const inline: Spawn = () => new InlineWorker();
+export function spawnOrder(given?: Spawn | null): Start[] {
+  const inline: Start = async () => {
+    const { default: InlineWorker } = await import('./entry.ts?worker&inline');
+    return new InlineWorker();
+  };
   return given ? [given, inline] : [inline];
 }
 
-/** @throws whatever the environment throws where no worker may be made */
-export function openWorker(spawn: Spawn, { onResponse, onBroken }: LineEvents): Line {
-  const worker = spawn();
-  worker.onmessage = ({ data }: MessageEvent<Response>) => onResponse(data);
-  // A blob worker under a strict CSP throws nothing: it fires an error event without a message.
-  worker.onerror = (event) => {
-    event.preventDefault();
-    onBroken();
+/** Nothing may be sent before the worker has said that it is ready. */
+export function openWorker(start: Start, { onResponse, onBroken }: LineEvents): Line {
+  let worker: Worker | null = null;
+  let isClosed = false;
+  const attach = (started: Worker) => {
+    if (isClosed) return started.terminate();
+    worker = started;
+    worker.onmessage = ({ data }: MessageEvent<Response>) => onResponse(data);
+    // A blob worker under a strict CSP throws nothing: it fires an error event without a message.
+    worker.onerror = (event) => {
+      event.preventDefault();
+      onBroken();
+    };
   };
+  // Where no worker may be made, or its code does not come.
+  const refused = () => isClosed || onBroken();
+  new Promise<Worker>((resolve) => resolve(start())).then(attach, refused);
   return {
-    send: (request) => worker.postMessage(request),
+    send: (request) => worker?.postMessage(request),
     close: () => {
+      isClosed = true;
+      if (!worker) return;
       worker.onmessage = null;
       worker.onerror = null;
       worker.terminate();

@@ -16,6 +16,8 @@ export interface ComparedRun {
 }
 
 export interface ComparisonLook {
+  /** Whose figures are told: the outlines' (where absent) or the structures'. */
+  readonly subject?: 'primary' | 'secondary';
   /** `overlaid` draws both outlines on each other, `beside` each in a field of its own. */
   readonly layout?: 'overlaid' | 'beside';
 }
@@ -33,18 +35,25 @@ const GUTTER = 16;
 export function drawComparison(
   a: ComparedRun,
   b: ComparedRun,
-  { layout = 'overlaid' }: ComparisonLook = {},
+  { layout = 'overlaid', subject = 'primary' }: ComparisonLook = {},
 ): string | null {
   const [outlineA, outlineB] = [outlineOf(a.results), outlineOf(b.results)];
   if (outlineA === null || outlineB === null) return null;
-  const { vertices, iou, distance95 } = comparePolygons(outlineA, outlineB);
+  const isOfStructures = subject === 'secondary';
+  const { vertices, iou, distance95 } = isOfStructures
+    ? comparePolygons(structuresOf(a.results), structuresOf(b.results))
+    : comparePolygons(outlineA, outlineB);
   const draw = layout === 'overlaid' ? drawOverlaid : drawBeside;
   const drawing: Drawing = {
     ...draw([
       { run: a, outline: outlineA, colour: BLUE },
       { run: b, outline: outlineB, colour: VERMILION },
     ]),
-    counts: [`IoU ${iou.toFixed(3)}`, `95 % within ${lengthWords(distance95)}`],
+    counts: [
+      ...(isOfStructures ? ['Structures'] : []),
+      `IoU ${iou.toFixed(3)}`,
+      ...(Number.isFinite(distance95) ? [`95 % within ${lengthWords(distance95)}`] : []),
+    ],
     legend: [
       { colour: BLUE, label: `${a.label}: ${vertices[0].toLocaleString('en-GB')} vertices` },
       { colour: VERMILION, label: `${b.label}: ${vertices[1].toLocaleString('en-GB')} vertices` },
@@ -57,6 +66,10 @@ export function drawComparison(
 /** The primary boundary as far as a run brought it. */
 export function outlineOf({ boundary, regularise }: Partial<StageResults>): readonly Polygon[] | null {
   return regularise?.polygons ?? boundary?.polygons ?? null;
+}
+
+function structuresOf({ secondary }: Partial<StageResults>): readonly Polygon[] {
+  return secondary?.boundaries.map(({ outline }) => outline) ?? [];
 }
 
 interface Side {
@@ -101,7 +114,7 @@ function pointMarks({ results: { slice } }: ComparedRun, view: TopView): string[
 }
 
 function sideMarks({ run, outline, colour }: Side, view: TopView, width: number): string[] {
-  const secondary = run.results.secondary?.boundaries.map((boundary) => boundary.outline) ?? [];
+  const secondary = structuresOf(run.results);
   const look = { fill: 'none', stroke: colour, 'stroke-width': width, 'stroke-linejoin': 'round' };
   return [
     path(mappedRings(outline, view), true, look),

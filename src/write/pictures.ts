@@ -105,6 +105,7 @@ export const PICTURES = {
     stage: 'secondary',
     figure: 'Fig. 3c',
     has: ({ secondary }) => secondary.searches.some(({ rounds }) => (rounds.at(-1)?.near.length ?? 0) > 0),
+    rounds: ({ secondary }) => Math.max(...secondary.searches.map(({ rounds }) => rounds.length)),
     draw: drawSecondaryOutline,
   },
   secondary: {
@@ -159,6 +160,12 @@ export function hasPicture(name: PictureName, results: Partial<StageResults>): b
   const { stage, has }: PictureRow = PICTURES[name];
   // A stage that ran has all before it.
   return results[stage] !== undefined && (has?.(results as StageResults) ?? true);
+}
+
+/** How many rounds of the search a picture can show; 1 where there is no choice. */
+export function roundsOf(name: PictureName, results: Partial<StageResults>): number {
+  const { rounds }: PictureRow = PICTURES[name];
+  return rounds && hasPicture(name, results) ? rounds(results as StageResults) : 1;
 }
 
 function timeWords(ms: number): string {

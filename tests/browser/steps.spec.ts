@@ -103,6 +103,38 @@ test('two methods are compared overlaid and side by side; the plan stays', async
   expect(await stagesRun(page)).toContain('read');
 });
 
+test('a comparison asked for before its code has come opens when it is there', async ({ page }) => {
+  await page.route('**/steps-pane-*.js', async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    await route.continue();
+  });
+  await openPlan(page, HALLWAY);
+  await page.getByRole('button', { name: 'Step by step' }).click();
+  const button = page.getByTestId('compare');
+  await button.click();
+  await expect(button).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByTestId('compare-iou')).toHaveText(/^\d+\.\d %$/);
+  await expect(button).toHaveAttribute('aria-pressed', 'true');
+});
+
+test('structures found by two methods are compared by the figures of the structures', async ({ page }) => {
+  await openPlan(page, HALLWAY);
+  await dropFile(page, 'room-2.csv', await readFile('tests/golden/room-2/slice.csv', 'utf8'));
+  await expectReady(page);
+  await setOptions(page, { secondaryCount: 1 });
+  await expectReady(page);
+  await openSteps(page);
+  await page.getByTestId('compare').click();
+  await page.getByTestId('compare-param').selectOption({ label: 'Secondary method' });
+  await expect(page.getByTestId('compare-table')).toContainText('Structures');
+  const iou = page.getByTestId('compare-iou');
+  await expect(iou).toHaveText(/^\d+\.\d %$/);
+  const caption = page.locator('#caption');
+  await expect(caption).toContainText('Structures · IoU');
+  const [, told] = /IoU (0\.\d+)/.exec((await caption.textContent())!)!;
+  expect(Number.parseFloat((await iou.textContent())!)).toBeCloseTo(100 * Number(told), 0);
+});
+
 test('a comparison that cannot be made says why and leaves the plan', async ({ page }) => {
   await openPlan(page, HALLWAY);
   await page.evaluate(() => {
@@ -200,8 +232,19 @@ test('the structure is refined by hand, once more at a time, and undo takes it b
   await page.getByTestId('refine').click();
   await expect.poll(() => options(page)).toEqual({ secondaryCount: 1, secondaryRounds: 2 });
   await expectReady(page);
+  await setStep(page, 'secondary-outline');
+  const second = page.getByRole('button', { name: 'Round 2' });
+  await expect(second).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.locator('#caption')).toContainText('round 2');
+  await page.getByRole('button', { name: 'Round 1' }).click();
+  await expect(second).toHaveAttribute('aria-pressed', 'false');
+  await expect(page.locator('#caption')).toContainText('round 1');
+  const saved = await downloadBy(page, 'save-picture');
+  expect(saved.name).toMatch(/^picture-\d+-secondary-outline-round-1\.svg$/);
+  expect(saved.text).toContain('round 1');
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect.poll(() => options(page)).toEqual({ secondaryCount: 1 });
+  await expect(second).toBeHidden();
 });
 
 test('the cluster of the structure is picked in the picture or the list; undo takes it back', async ({

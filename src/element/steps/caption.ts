@@ -5,6 +5,14 @@ import { iconButton } from '../chips.ts';
 import { icon } from '../icon.ts';
 import { make, setAttribute, setText } from '../make.ts';
 import type { Actions, StepsShown } from '../model.ts';
+import { RoundChoice } from './round-choice.ts';
+
+export interface CaptionEvents {
+  /** The picture shown is to be saved as a file. */
+  onSave(): void;
+  /** Another round of the search is to be shown, from 1. */
+  onRound(round: number): void;
+}
 
 /** What a picture shows: its place in the chain, the figure of the paper, its counts and time; and the way on. */
 export class Caption {
@@ -14,11 +22,12 @@ export class Caption {
   readonly #figure = make('span', { class: 'caption-figure' });
   readonly #outcome = make('p', { class: 'caption-outcome', testid: 'step-outcome' });
   readonly #doc = make('p', { class: 'caption-doc hint' });
+  readonly #rounds: RoundChoice;
   readonly #back: HTMLButtonElement;
   readonly #forth: HTMLButtonElement;
 
-  /** @param save saves the picture shown as a file */
-  constructor(actions: Actions, save: () => void) {
+  constructor(actions: Actions, { onSave, onRound }: CaptionEvents) {
+    this.#rounds = new RoundChoice(onRound);
     this.#back = iconButton('Step before', icon('chevron'), () => actions.moveStep(-1));
     this.#back.classList.add('is-back');
     this.#forth = iconButton('Next step', icon('chevron'), () => actions.moveStep(1));
@@ -32,7 +41,7 @@ export class Caption {
     const title = 'Save this picture as SVG';
     const svg = make(
       'button',
-      { type: 'button', class: 'button', testid: 'save-picture', title, on: { click: save } },
+      { type: 'button', class: 'button', testid: 'save-picture', title, on: { click: onSave } },
       icon('download'),
       'SVG',
     );
@@ -40,13 +49,15 @@ export class Caption {
       'div',
       { class: 'caption' },
       this.#back,
-      make('div', { class: 'caption-words' }, head, this.#outcome, this.#doc),
+      make('div', { class: 'caption-words' }, head, this.#rounds.node, this.#outcome, this.#doc),
       svg,
       this.#forth,
     );
   }
 
-  show({ pictures }: StepsShown, picture: PictureFacts): void {
+  /** @param round shown of a picture with several */
+  show({ pictures }: StepsShown, picture: PictureFacts, round: number): void {
+    this.#rounds.show(picture.rounds, round);
     const place = pictures.indexOf(picture);
     setText(this.#place, `${place + 1} of ${pictures.length}`);
     setText(this.#label, picture.label);

@@ -1,13 +1,13 @@
-import type { PictureOf } from '../../worker/protocol.ts';
+import type { PictureAsked, PictureOf } from '../../worker/protocol.ts';
 
 /** The pictures of one run, each fetched once. */
 export class PictureShelf {
-  readonly #fetch: (name: string, of: PictureOf) => Promise<string | null>;
+  readonly #fetch: (asked: PictureAsked) => Promise<string | null>;
   readonly #pictures = new Map<string, Promise<string | null>>();
   #run: object | null = null;
   #of: PictureOf = 'plan';
 
-  constructor(fetch: (name: string, of: PictureOf) => Promise<string | null>) {
+  constructor(fetch: (asked: PictureAsked) => Promise<string | null>) {
     this.#fetch = fetch;
   }
 
@@ -20,14 +20,20 @@ export class PictureShelf {
     return true;
   }
 
-  /** SVG text; null where the run has no such picture. @throws FloorPlanError */
-  get(name: string): Promise<string | null> {
-    let picture = this.#pictures.get(name);
+  /**
+   * SVG text; null where the run has no such picture.
+   *
+   * @param round from 1; the last where absent
+   * @throws FloorPlanError
+   */
+  get(name: string, round?: number): Promise<string | null> {
+    const key = `${name} ${round ?? 'last'}`;
+    let picture = this.#pictures.get(key);
     if (!picture) {
-      picture = this.#fetch(name, this.#of);
-      this.#pictures.set(name, picture);
+      picture = this.#fetch({ name, of: this.#of, round });
+      this.#pictures.set(key, picture);
       // What failed or was cancelled may be asked for again.
-      picture.catch(() => this.#pictures.delete(name));
+      picture.catch(() => this.#pictures.delete(key));
     }
     return picture;
   }

@@ -33,6 +33,8 @@ export class StepsPane {
   readonly #strip: Filmstrip;
   readonly #compare: ComparePanel;
   #model: Model | null = null;
+  /** Of the search for structures, as chosen; beyond the last it is the last. */
+  #round = Number.POSITIVE_INFINITY;
   /** SVG text on show, and what it is of. */
   #shown = '';
   #subject = '';
@@ -44,10 +46,16 @@ export class StepsPane {
     this.#actions = actions;
     this.#onCompare = onCompare;
     addStyles(root, stepsStyles);
-    this.#shelf = new PictureShelf((name, of) => actions.picture(name, of));
+    this.#shelf = new PictureShelf((asked) => actions.picture(asked));
     this.#view = new PictureView(this.#host, (picked) => this.#clusters.pick(picked));
     this.#banner = new FailedBanner(actions);
-    this.#caption = new Caption(actions, () => this.#save());
+    this.#caption = new Caption(actions, {
+      onSave: () => this.#save(),
+      onRound: (round) => {
+        this.#round = round;
+        if (this.#model) this.show(this.#model);
+      },
+    });
     this.#clusters = new ClusterPicker(actions);
     this.#strip = new Filmstrip(actions);
     this.#compare = new ComparePanel(actions, {
@@ -80,7 +88,7 @@ export class StepsPane {
     const run = of === 'failed' ? model.failed : model.view;
     const isAnother = this.#shelf.turnTo(run, of);
     this.#banner.show(model);
-    this.#caption.show(model.steps, picture);
+    this.#caption.show(model.steps, picture, this.#roundOf(picture));
     this.#clusters.show(model);
     this.#strip.show(pictures, picture);
     this.#compare.show(model);
@@ -125,10 +133,11 @@ export class StepsPane {
     this.node.remove();
   }
 
-  async #showPicture({ name, label }: PictureFacts): Promise<void> {
+  async #showPicture(picture: PictureFacts): Promise<void> {
+    const { name, label, rounds } = picture;
     const asked = ++this.#asked;
     try {
-      const svg = await this.#shelf.get(name);
+      const svg = await this.#shelf.get(name, rounds > 1 ? this.#roundOf(picture) : undefined);
       if (asked === this.#asked) this.#put(svg, name, `${label}: this plan has nothing to show here.`);
     } catch (error) {
       if (asked === this.#asked) this.#put(null, name, sayError(error));
@@ -164,6 +173,10 @@ export class StepsPane {
     }
   }
 
+  #roundOf({ rounds }: PictureFacts): number {
+    return Math.min(this.#round, rounds);
+  }
+
   #runOf(model: Model | null): object | null {
     return model && (model.steps.of === 'failed' ? model.failed : model.view);
   }
@@ -171,9 +184,14 @@ export class StepsPane {
   #save(): void {
     const { picture } = this.#model?.steps ?? {};
     if (this.#shown === '' || !picture) return;
-    const name = this.isComparing ? `comparison-${this.#compare.name}.svg` : picture.file;
+    const name = this.isComparing ? `comparison-${this.#compare.name}.svg` : this.#fileOf(picture);
     const blob = new Blob([this.#shown], { type: 'image/svg+xml' });
     saveFile({ name, blob });
+  }
+
+  #fileOf(picture: PictureFacts): string {
+    if (picture.rounds === 1) return picture.file;
+    return picture.file.replace('.svg', `-round-${this.#roundOf(picture)}.svg`);
   }
 
   #key(event: KeyboardEvent): void {

@@ -24,6 +24,8 @@ export interface PictureRow {
   readonly figure: string;
   /** Whether a stage that ran left something to show; where absent it always does. Far cheaper than drawing. */
   has?(results: StageResults): boolean;
+  /** Rounds of the search that can be shown, by number from 1; where absent there is no choice. */
+  rounds?(results: StageResults): number;
   /** @returns null where the stage has not run or there is nothing to show */
   draw(results: Partial<StageResults>, facts: PictureFacts): Drawing | null;
 }

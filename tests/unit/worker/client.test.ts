@@ -86,13 +86,17 @@ it('draws the pictures of the plan, each once as long as its stage stands', asyn
   const view = await client.load(room(4), 'room.csv');
   const names = view.pictures.map(({ name }) => name);
   expect(names).toEqual(expect.arrayContaining(['slice', 'hull', 'plan', 'model']));
-  for (const name of names) expect(await client.picture(name, 'plan')).toContain(`data-picture="${name}"`);
-  expect(await client.picture('clusters', 'plan')).toBeNull();
-  expect(await client.picture('toString', 'plan')).toBeNull();
-  const [hull, plan] = [await client.picture('hull', 'plan'), await client.picture('plan', 'plan')];
+  for (const name of names)
+    expect(await client.picture({ name, of: 'plan' })).toContain(`data-picture="${name}"`);
+  expect(await client.picture({ name: 'clusters', of: 'plan' })).toBeNull();
+  expect(await client.picture({ name: 'toString', of: 'plan' })).toBeNull();
+  const [hull, plan] = [
+    await client.picture({ name: 'hull', of: 'plan' }),
+    await client.picture({ name: 'plan', of: 'plan' }),
+  ];
   const changed = await client.update({ wallThickness: 0.5 });
-  expect(await client.picture('hull', 'plan')).toBe(hull);
-  expect(await client.picture('plan', 'plan')).not.toBe(plan);
+  expect(await client.picture({ name: 'hull', of: 'plan' })).toBe(hull);
+  expect(await client.picture({ name: 'plan', of: 'plan' })).not.toBe(plan);
   const facts = (name: string) => changed.pictures.find((picture) => picture.name === name);
   expect(facts('hull')?.outcome).toMatch(/vertices/);
   expect(facts('hull')?.ms).toBe(view.stages.find(({ name }) => name === 'boundary')?.ms);
@@ -102,18 +106,18 @@ it('a run that fails tells which stage, and its pictures up to there can be had 
   const evidence: Evidence[] = [];
   const client = new PlanClient({ onEvidence: (given) => evidence.push(given) });
   const view = await client.load(room(4), 'room.csv');
-  const hull = await client.picture('hull', 'plan');
+  const hull = await client.picture({ name: 'hull', of: 'plan' });
   await expect(client.update({ boundary: 'alpha-shape', alpha: 0.001 })).rejects.toMatchObject({
     code: 'result/no-boundary',
   });
   expect(evidence).toHaveLength(1);
   expect(evidence[0].stage).toBe('boundary');
   expect(evidence[0].pictures.at(-1)?.name).toBe('slice');
-  expect(await client.picture('slice', 'failed')).toContain('data-picture="slice"');
-  expect(await client.picture('hull', 'failed')).toBeNull();
-  expect(await client.picture('hull', 'plan')).toBe(hull);
+  expect(await client.picture({ name: 'slice', of: 'failed' })).toContain('data-picture="slice"');
+  expect(await client.picture({ name: 'hull', of: 'failed' })).toBeNull();
+  expect(await client.picture({ name: 'hull', of: 'plan' })).toBe(hull);
   await client.update(view.options);
-  expect(await client.picture('slice', 'failed')).toBeNull();
+  expect(await client.picture({ name: 'slice', of: 'failed' })).toBeNull();
 });
 
 it('puts another plan beside the one shown, which stays', async () => {
@@ -154,11 +158,11 @@ it('a comparison can be stopped, is overtaken by the next, and falls to an updat
 it('after a cancelled load the scan before is read again for a picture', async () => {
   const client = new PlanClient();
   await client.load(room(4), 'a.csv');
-  const hull = await client.picture('hull', 'plan');
+  const hull = await client.picture({ name: 'hull', of: 'plan' });
   const stopped = expect(client.load(room(6), 'b.csv')).rejects.toMatchObject(cancelled);
   client.cancel();
   await stopped;
-  expect(await client.picture('hull', 'plan')).toBe(hull);
+  expect(await client.picture({ name: 'hull', of: 'plan' })).toBe(hull);
 });
 
 it('without a scan there is nothing to change or to write', async () => {

@@ -58,6 +58,28 @@ describe('drawComparison', () => {
     expect(drawComparison(run('Gift opening', 0), run('<α> & "shape"', 1), { layout })).toBe(svg);
   });
 
+  test('of structures the figures are those of the structures', () => {
+    const structure = (x: number) => ({
+      outline: area(x, 1, 1, 1),
+      operation: 'subtract' as const,
+      type: 'column' as const,
+      points: 40,
+    });
+    const withStructure = (label: string, x: number) => {
+      const secondary = { clusters: new Uint8Array(), searches: [], boundaries: [structure(x)] };
+      return { label, results: { ...run(label, 0).results, secondary } };
+    };
+    const [a, b] = [withStructure('Paper', 1), withStructure('Robust', 1.5)];
+    const root = parseXml(drawComparison(a, b, { subject: 'secondary' })!);
+    expect(root.byId('caption')!.all('tspan')[1].text).toContain('Structures · IoU 0.333');
+    const primary = parseXml(drawComparison(a, b)!);
+    expect(primary.byId('caption')!.all('tspan')[1].text).toContain('IoU 1.000');
+    const none = { label: 'None', results: run('None', 0).results };
+    const words = drawComparison(a, none, { subject: 'secondary' })!;
+    expect(words).toContain('None: 0 vertices');
+    expect(words).not.toContain('∞');
+  });
+
   test('needs both outlines', () => {
     expect(drawComparison(run('a', 0), { label: 'b', results: {} })).toBeNull();
   });

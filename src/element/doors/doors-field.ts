@@ -1,9 +1,12 @@
-import { type Doors, formatDoors, parseDoors } from '../core/doors.ts';
-import type { Field, FieldFacts } from './field.ts';
-import { make, setAttribute } from './make.ts';
+import { type Doors, formatDoors, parseDoors } from '../../core/doors.ts';
+import type { Field, FieldFacts } from '../field.ts';
+import { icon } from '../icon.ts';
+import { make, setAttribute } from '../make.ts';
+import type { Actions } from '../model.ts';
+import { makeDoorList } from './door-list.ts';
 
-/** A box that makes every bridged gap a door, and the doors cut by hand as text. */
-export function doorsField({ id, row, change }: FieldFacts): Field {
+/** The way to the tool in the drawing, every gap and door with a button, and the doors cut by hand as text. */
+export function doorsField({ id, row, change }: FieldFacts, actions: Actions): Field {
   const gaps = make('input', { type: 'checkbox', on: { change: () => read() } });
   const cuts = make('input', {
     type: 'text',
@@ -20,12 +23,32 @@ export function doorsField({ id, row, change }: FieldFacts): Field {
     if (given !== null) change(formatDoors({ gaps: gaps.checked || given.gaps, cuts: given.cuts }), true);
   };
   const label = make('label', { class: 'auto' }, gaps, 'Cut all gaps');
-  const node = make('div', { class: 'doors-field', role: 'group', 'aria-label': row.label }, label, cuts);
+  const cut = make(
+    'button',
+    {
+      type: 'button',
+      class: 'button',
+      testid: 'cut-in-drawing',
+      on: { click: () => actions.cutDoors(true) },
+    },
+    icon('door'),
+    'Cut in the drawing',
+  );
+  const list = makeDoorList(actions);
+  const line = make('div', { class: 'doors-line' }, label, cut);
+  const node = make(
+    'div',
+    { class: 'doors-field', role: 'group', 'aria-label': row.label },
+    line,
+    list.node,
+    cuts,
+  );
   return {
     node,
-    set(value) {
+    set(value, model) {
       const doors = parseDoors(String(value));
       gaps.checked = doors.gaps;
+      list.show(model);
       // Text under the hand is not overwritten.
       if (cuts.matches(':focus')) return;
       cuts.removeAttribute('aria-invalid');

@@ -1,0 +1,110 @@
+import type { Gap } from '../../core/types.ts';
+import { formatLength } from '../../view/measure.ts';
+import type { SheetPlace, SheetTool, SheetView } from '../../view/sheet.ts';
+import type { SheetMark } from '../../view/sheet-marks.ts';
+import type { Actions, Model, Stretch } from '../model.ts';
+import { DoorBar } from './door-bar.ts';
+import { type PlanDoor, PlanDoors, widthOf } from './plan-doors.ts';
+
+/** What a press at some place does. */
+interface Aim {
+  readonly kind: 'cut' | 'remove';
+  readonly stretch: Stretch;
+  readonly words: string;
+  /** The parameter `doors` after it. */
+  readonly doors: string;
+}
+
+const RESTING = 'Press a wall or a dashed gap to cut a door, a door to take it away.';
+
+/** Cuts doors in the drawing ([Stojanovic19] §3): a wall or a bridged gap gets one, a door goes. */
+export class DoorTool implements SheetTool {
+  readonly bar: DoorBar;
+  readonly #actions: Actions;
+  #sheet: SheetView | null = null;
+  #model: Model | null = null;
+  #doors: PlanDoors | null = null;
+  #aim: Aim | null = null;
+
+  constructor(actions: Actions) {
+    this.#actions = actions;
+    this.bar = new DoorBar(() => actions.cutDoors(false));
+  }
+
+  /** @param sheet the drawing that doors are cut in; null when there is none any more */
+  attach(sheet: SheetView | null): void {
+    this.#sheet = sheet;
+    this.#model = null;
+  }
+
+  show(model: Model): void {
+    const { view, options, storey, unit, isCutting, marked } = model;
+    const before = this.#model;
+    this.#model = model;
+    this.bar.setUnit(unit);
+    this.bar.node.hidden = !isCutting;
+    const isSame =
+      before?.view === view &&
+      before?.options.doors === options.doors &&
+      before.storey === storey &&
+      before.isCutting === isCutting &&
+      before.marked === marked;
+    if (isSame) return;
+    this.#sheet?.setTool(isCutting ? this : null);
+    const place = Math.min(storey, (view?.plan.storeys.length ?? 1) - 1);
+    this.#doors = view && new PlanDoors(view.plan, place, options.doors);
+    this.hover(null);
+  }
+
+  hover(place: SheetPlace | null): void {
+    this.#aim = place && this.#aimAt(place);
+    this.bar.say(this.#aim?.words ?? RESTING);
+    this.#sheet?.mark(this.#marks());
+  }
+
+  press(place: SheetPlace): void {
+    const aim = this.#aimAt(place);
+    if (aim) this.#actions.change({ doors: aim.doors }, true);
+    else this.bar.say('No wall here long enough for a door.');
+  }
+
+  #aimAt({ at, reach }: SheetPlace): Aim | null {
+    const doors = this.#doors;
+    if (!doors) return null;
+    const door = doors.at(at, reach);
+    if (door) return this.#aimAtDoor(door);
+    const { size } = this.bar;
+    const gap = doors.gapAt(at, reach);
+    const opening = gap ? doors.fitGap(gap, size.height) : doors.fit(at, size);
+    if (!opening) return null;
+    const width = this.#say(widthOf(opening));
+    const words = gap ? `Make a door of this gap, ${width} wide.` : `Cut a door here, ${width} wide.`;
+    return { kind: 'cut', stretch: opening, words, doors: doors.with(gap ?? opening, size.height) };
+  }
+
+  #aimAtDoor(door: PlanDoor): Aim {
+    const { opening } = door;
+    const words = `Take this door away, ${this.#say(widthOf(opening))} wide.`;
+    return { kind: 'remove', stretch: opening, words, doors: this.#doors!.without(door) };
+  }
+
+  #marks(): SheetMark[] {
+    const { isCutting = false, marked = null, view } = this.#model ?? {};
+    const thickness = view?.plan.options.wallThickness ?? 0;
+    const mark = (kind: SheetMark['kind'], { from, to }: Stretch) => ({ kind, from, to, thickness });
+    const free = isCutting ? this.#freeGaps() : [];
+    return [
+      ...free.map((gap) => mark('candidate', this.#doors?.fitGap(gap) ?? gap)),
+      ...(this.#aim ? [mark(this.#aim.kind, this.#aim.stretch)] : []),
+      ...(marked ? [mark('cut', marked)] : []),
+    ];
+  }
+
+  #freeGaps(): readonly Gap[] {
+    return this.#doors?.gaps.filter((gap) => !this.#doors?.inGap(gap)) ?? [];
+  }
+
+  #say(metres: number): string {
+    return formatLength(metres, this.#model?.unit ?? 'm');
+  }
+}
