@@ -6,6 +6,7 @@
 
 export { canvasStrokeTest, type StrokeContext } from './core/canvas-stroke.ts';
 export type { StrokeTest } from './core/context.ts';
+export { type DoorCut, type Doors, formatDoors, parseDoors } from './core/doors.ts';
 export { type ErrorCode, FloorPlanError } from './core/errors.ts';
 export { parseParam, resolveOptions } from './core/options.ts';
 export {

@@ -58,6 +58,8 @@ export function valueWords(row: ParamRow): string {
       return `${row.choices.join('|')},…`;
     case 'level':
       return 'auto|0|1|2|low:high';
+    case 'doors':
+      return 'none|gaps|x,y,width[,height];…';
   }
 }
 

@@ -1,3 +1,4 @@
+import { parseDoors } from './doors.ts';
 import { FloorPlanError } from './errors.ts';
 import {
   type AutoNumberRow,
@@ -95,6 +96,8 @@ function powerOf({ unit }: NumberRow | AutoNumberRow): 0 | 1 | 2 {
 /** @param found what the person gave, for the message */
 function checkValue(name: ParamName, value: unknown, found: unknown): void {
   const row: ParamRow = PARAMS[name];
+  // Of several doors it matters which one is wrong.
+  if (row.kind === 'doors' && typeof value === 'string') parseDoors(value);
   const expected = expectation(row, value);
   if (expected === null) return;
   const words = Array.isArray(found) ? found.join(',') : String(found);
@@ -124,6 +127,8 @@ function expectation(row: ParamRow, value: unknown): string | null {
     }
     case 'level':
       return isLevelChoice(value) ? null : 'auto, 0, 1, 2 or low:high in metres';
+    case 'doors':
+      return typeof value === 'string' ? null : 'none, gaps or x,y,width[,height];…';
   }
 }
 

@@ -51,9 +51,13 @@ export interface ChoiceListRow<C extends string = string> extends RowFacts<reado
 export interface LevelRow extends RowFacts<LevelChoice> {
   readonly kind: 'level';
 }
+/** `none`, `gaps`, or doors `x,y,width[,height]` joined by semicolons; `parseDoors` reads it. */
+export interface DoorsRow extends RowFacts<string> {
+  readonly kind: 'doors';
+}
 export type LevelChoice = 'auto' | '0' | '1' | '2' | `${number}:${number}`;
 
-export type ParamRow = NumberRow | AutoNumberRow | FlagRow | ChoiceRow | ChoiceListRow | LevelRow;
+export type ParamRow = NumberRow | AutoNumberRow | FlagRow | ChoiceRow | ChoiceListRow | LevelRow | DoorsRow;
 
 const px = (value: number): Pixels => ({ px: value, power: 1 });
 const px2 = (value: number): Pixels => ({ px: value, power: 2 });
@@ -75,6 +79,7 @@ const choiceList = <const C extends string>(
   row: Omit<ChoiceListRow<C>, 'kind' | 'choices'>,
 ): ChoiceListRow<C> => ({ kind: 'choice-list', choices, ...row });
 const level = (row: Omit<LevelRow, 'kind'>): LevelRow => ({ kind: 'level', ...row });
+const doors = (row: Omit<DoorsRow, 'kind'>): DoorsRow => ({ kind: 'doors', ...row });
 
 /**
  * Every number a person may set: options, ranges, controls, attributes, flags and docs are made from this table,
@@ -455,6 +460,13 @@ export const PARAMS = {
     label: 'Wall height',
     doc: 'Height of the extruded walls; auto takes it from the scan.',
     source: '[Stojanovic19] §3.2',
+  }),
+  doors: doors({
+    default: 'none',
+    stage: 'plan',
+    label: 'Doors',
+    doc: 'Doors cut out of the walls: gaps takes every bridged gap 0.6 to 3 m wide; x,y,width[,height] cuts one at the wall nearest that place (source coordinates; width and height in metres); both join by semicolons.',
+    source: '[Stojanovic19] §3',
   }),
   floorSlab: flag({
     default: true,

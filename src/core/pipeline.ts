@@ -99,7 +99,11 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     options,
     (context) => {
       const parts = { source: scan.facts, cloud, kept, boundary, regularised, secondary, options };
-      return { ...makePlan(parts, context), warnings: [...run.warnings] };
+      const placed = {
+        ...context,
+        placeInSource: (x: number, y: number) => placeInSource(cloud.frame, x, y),
+      };
+      return { ...makePlan(parts, placed), warnings: [...run.warnings] };
     },
     ({ storeys }) => count(storeys.length, 'storey'),
   );

@@ -11,6 +11,7 @@ import {
   PolyTree64,
 } from 'clipper2-ts';
 import { orientRing, perimeter, signedArea } from './geometry/rings.ts';
+import type { Options } from './params.ts';
 import type { Polygon, Ring } from './types.ts';
 
 /**
@@ -24,6 +25,19 @@ const MITRE_LIMIT = 2;
 /** A ring thinner than this on average, m, is debris of rounding. */
 const DEBRIS_WIDTH = 1e-5;
 
+/** Metres of pen to both sides of the line it follows; together more than 0. */
+export interface PenReach {
+  readonly outside: number;
+  readonly inside: number;
+}
+
+/** The pen that draws walls. */
+export function penReach({ wallThickness, wallSide }: Pick<Options, 'wallThickness' | 'wallSide'>): PenReach {
+  return wallSide === 'centre'
+    ? { outside: wallThickness / 2, inside: wallThickness / 2 }
+    : { outside: wallThickness, inside: 0 };
+}
+
 /**
  * The contour of a polygon drawn with a pen of some width: what a canvas stroke would cover ([Stojanovic19]
  * §3), as areas.
@@ -32,13 +46,9 @@ const DEBRIS_WIDTH = 1e-5;
  * vertices of the contour keep their coordinates to the last bit; all others are within 1 µm.
  *
  * @param polygon metres; outer ring counter-clockwise, holes clockwise
- * @param reach metres of pen outside the polygon and inside of it; together more than 0
  * @returns disjoint polygons, largest first
  */
-export function strokeContour(
-  { outer, holes }: Polygon,
-  reach: { readonly outside: number; readonly inside: number },
-): Polygon[] {
+export function strokeContour({ outer, holes }: Polygon, reach: PenReach): Polygon[] {
   const grid = new LocalGrid(outer);
   const paths = [outer, ...holes].map((ring) => grid.toPath(ring));
   const clipper = new Clipper64();
@@ -49,6 +59,17 @@ export function strokeContour(
   const polygons: Polygon[] = [];
   collectPolygons(tree, grid, polygons);
   return polygons.sort((a, b) => signedArea(b.outer) - signedArea(a.outer));
+}
+
+/** Whether the pen leaves nothing free within the polygon. */
+export function fillsInside({ outer, holes }: Polygon, { inside }: PenReach): boolean {
+  const grid = new LocalGrid(outer);
+  return (
+    offsetPaths(
+      [outer, ...holes].map((ring) => grid.toPath(ring)),
+      -inside,
+    ).length === 0
+  );
 }
 
 function offsetPaths(paths: Paths64, distance: number): Paths64 {

@@ -2,7 +2,8 @@ import type { StageContext } from './context.ts';
 import { perimeter } from './geometry/rings.ts';
 import { storeyRange } from './level.ts';
 import type { Options } from './params.ts';
-import { strokeContour } from './plan-walls.ts';
+import { placeDoors } from './place-doors.ts';
+import { fillsInside, penReach, strokeContour } from './plan-walls.ts';
 import type {
   Boundary,
   FloorPlan,
@@ -36,19 +37,25 @@ export interface PlanParts {
  * One storey, from the lowest floor to the highest ceiling. `warnings` is left empty for the caller, who
  * knows those of the whole run.
  */
-export function makePlan(parts: PlanParts, context: Pick<StageContext, 'warn'>): FloorPlan {
+export function makePlan(parts: PlanParts, context: Pick<StageContext, 'warn' | 'placeInSource'>): FloorPlan {
   const { source, cloud, boundary, regularised, secondary, options } = parts;
   const { floor, height } = storeyHeights(parts, context);
+  const gaps = boundary.gaps;
+  const outlines = regularised.polygons.map((polygon) => ({
+    polygon,
+    confidence: supportedShare(polygon, gaps),
+  }));
+  warnOfFilled(regularised.polygons, options, context);
   const storey = {
     index: 0,
     floor,
     height,
     primary: regularised.polygons,
     secondary: secondary.boundaries,
-    walls: regularised.polygons.flatMap((polygon) => wallsAlong(polygon, boundary.gaps, options)),
+    walls: outlines.flatMap(({ polygon, confidence }) => wallsAlong(polygon, confidence, options)),
     rooms: [],
-    openings: [],
-    gaps: boundary.gaps,
+    openings: placeDoors({ outlines, gaps, frame: cloud.frame, height, options }, context),
+    gaps,
   };
   return { version: 1, source, frame: cloud.frame, options, storeys: [storey], warnings: [] };
 }
@@ -81,13 +88,25 @@ function storeyHeights(
 }
 
 /** Walls along one primary polygon: one around it and one around each courtyard. */
-function wallsAlong(polygon: Polygon, gaps: readonly Gap[], { wallThickness, wallSide }: Options): Wall[] {
-  const isCentred = wallSide === 'centre';
-  const reach = isCentred
-    ? { outside: wallThickness / 2, inside: wallThickness / 2 }
-    : { outside: wallThickness, inside: 0 };
-  const confidence = supportedShare(polygon, gaps);
-  return strokeContour(polygon, reach).map((outline) => ({ outline, thickness: wallThickness, confidence }));
+function wallsAlong(polygon: Polygon, confidence: number, options: Options): Wall[] {
+  const thickness = options.wallThickness;
+  return strokeContour(polygon, penReach(options)).map((outline) => ({ outline, thickness, confidence }));
+}
+
+/** Says where walls leave no room between them. */
+function warnOfFilled(
+  polygons: readonly Polygon[],
+  options: Options,
+  { warn }: Pick<StageContext, 'warn'>,
+): void {
+  const filled = polygons.filter((polygon) => fillsInside(polygon, penReach(options))).length;
+  if (filled === 0) return;
+  const what = polygons.length === 1 ? 'the outline' : `${filled} of ${polygons.length} outlines`;
+  warn({
+    code: 'plan/walls-fill-room',
+    message: `Walls ${options.wallThickness} m thick fill ${what}: no room is left between them.`,
+    hint: 'Make wallThickness smaller, or wallSide outside.',
+  });
 }
 
 /** Share of an outline's length that is no bridged gap. */

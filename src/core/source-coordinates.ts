@@ -12,6 +12,15 @@ export interface SourceCoordinates {
   readonly digits: number;
 }
 
+/** The way back: a place in source units and coordinates, seen from above, as plan metres. */
+export function planPlace(
+  { planOrigin, metresPerUnit }: Frame,
+  sourceX: number,
+  sourceY: number,
+): readonly [x: number, y: number] {
+  return [(sourceX - planOrigin[0]) * metresPerUnit, (sourceY - planOrigin[1]) * metresPerUnit];
+}
+
 /** @param precision m */
 export function sourceCoordinates(
   { planOrigin, metresPerUnit }: Frame,

@@ -193,12 +193,16 @@ export interface Room {
   readonly confidence: number;
 }
 
+/** A hole through a wall, from jamb to jamb along the wall's axis. */
 export interface Opening {
   readonly type: 'door' | 'window' | 'passage';
   readonly from: readonly [x: number, y: number];
   readonly to: readonly [x: number, y: number];
+  /** Heights above the floor, m. */
   readonly sill: number;
   readonly head: number;
+  /** 1 where a person said so. */
+  readonly confidence: number;
 }
 
 /** One floor of a building. Heights in metres; plan frame. */

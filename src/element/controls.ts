@@ -1,4 +1,5 @@
 import { type GivenValues, PARAMS, type ParamName, type ParamRow } from '../core/params.ts';
+import { doorsField } from './doors-field.ts';
 import type { Field, FieldFacts } from './field.ts';
 import { icon } from './icon.ts';
 import { listField } from './list-field.ts';
@@ -7,7 +8,7 @@ import type { Actions, Panel } from './model.ts';
 import { numberField } from './number-field.ts';
 import { sayChoice } from './plain-words.ts';
 
-/** The control of a parameter, made from its row: number, auto-number, flag, choice, choice-list. */
+/** The control of a parameter, made from its row: number, auto-number, flag, choice, choice-list, doors. */
 export function makeControl(name: ParamName, actions: Actions): Panel {
   const row: ParamRow = PARAMS[name];
   const id = `param-${name}`;
@@ -56,6 +57,8 @@ function makeField(facts: FieldFacts): Field {
       return choiceField(facts, facts.row.choices);
     case 'choice-list':
       return listField(facts, facts.row.choices);
+    case 'doors':
+      return doorsField(facts);
     case 'level':
       throw new TypeError('The level has a picker of its own.');
   }

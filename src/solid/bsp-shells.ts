@@ -18,8 +18,13 @@ const OVERSHOOT = 0.5;
  * three-csg-ts stands in for ThreeCSG.js, which no longer runs on any three of today; it gives the same triangles.
  * The trees cut one side of an edge only, so the result is welded and its T-junctions closed.
  */
-export const bspShells: Engine = ({ base, changes, low, high }) => {
+export const bspShells: Engine = ({ base, changes, openings, low, high }) => {
   let csg = prisms(base, low, high);
+  for (const opening of openings) {
+    const bottom = opening.low > low ? opening.low : low - OVERSHOOT;
+    const top = opening.high < high ? opening.high : high + OVERSHOOT;
+    csg = csg.subtract(prisms([opening.base], bottom, top));
+  }
   for (const { outline, operation } of changes) {
     const shape = separatePinches(combine('union', [outline]));
     csg =
@@ -27,7 +32,8 @@ export const bspShells: Engine = ({ base, changes, low, high }) => {
         ? csg.union(prisms(shape, low, high))
         : csg.subtract(prisms(shape, low - OVERSHOOT, high + OVERSHOOT));
   }
-  const welded = weld(toTriangles(csg, [low, high]), SAME_POINT);
+  const heights = [low, high, ...openings.flatMap((opening) => [opening.low, opening.high])];
+  const welded = weld(toTriangles(csg, heights), SAME_POINT);
   return splitShells(closeTJunctions(welded, SAME_POINT));
 };
 
@@ -48,16 +54,26 @@ function prism(polygon: Polygon, low: number, high: number): CSG {
   return CSG.fromGeometry(geometry);
 }
 
-/** Fans of the convex polygons, float64 (the library's own mesh is float32); all heights are `low` or `high` again. */
-function toTriangles(csg: CSG, [low, high]: readonly [number, number]): Float64Array {
+/** Fans of the convex polygons, float64 (the library's own mesh is float32); heights that are meant are met. */
+function toTriangles(csg: CSG, heights: readonly number[]): Float64Array {
   const corners: number[] = [];
-  const middle = (low + high) / 2;
   for (const { vertices } of csg.toPolygons()) {
     for (let i = 1; i + 1 < vertices.length; i++) {
       for (const { pos } of [vertices[0], vertices[i], vertices[i + 1]]) {
-        corners.push(pos.x, pos.y, pos.z < middle ? low : high);
+        corners.push(pos.x, pos.y, levelled(pos.z, heights));
       }
     }
   }
   return Float64Array.from(corners);
+}
+
+/**
+ * The height meant by z. Upright cutters leave points only on a prism's two levels and on the diagonals of its sides,
+ * which may slide to a level; between openings they may not.
+ */
+function levelled(z: number, heights: readonly number[]): number {
+  const nearest = heights.reduce((best, height) =>
+    Math.abs(height - z) < Math.abs(best - z) ? height : best,
+  );
+  return heights.length === 2 || Math.abs(nearest - z) < SAME_POINT ? nearest : z;
 }

@@ -5,7 +5,7 @@ import { closeTJunctions } from './t-junctions.ts';
 import type { TriangleMesh } from './triangle-mesh.ts';
 
 /** Vertices dropped by the triangulation lie on an edge up to rounding: a hundredth of the Booleans' grid, m. */
-const ON_EDGE = 1e-8;
+export const ON_EDGE = 1e-8;
 
 /**
  * A vertical prism: the polygon raised from one height to another.
@@ -17,17 +17,41 @@ const ON_EDGE = 1e-8;
  * @param low, high heights, metres
  */
 export function extrude(polygon: Polygon, low: number, high: number): TriangleMesh {
-  const rings = [polygon.outer, ...polygon.holes];
-  const count = rings.reduce((sum, ring) => sum + ring.length / 2, 0);
-  const flat = new Float64Array(2 * count);
-  const starts = placeRings(rings, flat);
+  const { xy, triangles } = capTriangles(polygon);
+  const count = xy.length / 2;
   const positions = new Float64Array(6 * count);
   for (let i = 0; i < count; i++) {
-    positions.set([flat[2 * i], flat[2 * i + 1], low], 3 * i);
-    positions.set([flat[2 * i], flat[2 * i + 1], high], 3 * (count + i));
+    positions.set([xy[2 * i], xy[2 * i + 1], low], 3 * i);
+    positions.set([xy[2 * i], xy[2 * i + 1], high], 3 * (count + i));
   }
-  const indices = [...capTriangles(flat, starts), ...sideTriangles(rings, count)];
+  const indices: number[] = [];
+  for (let i = 0; i < triangles.length; i += 3) {
+    const [a, b, c] = [triangles[i], triangles[i + 1], triangles[i + 2]];
+    indices.push(count + a, count + b, count + c, c, b, a);
+  }
+  indices.push(...sideTriangles([polygon.outer, ...polygon.holes], count));
   return closeTJunctions({ positions, indices: Uint32Array.from(indices) }, ON_EDGE);
+}
+
+/**
+ * Triangulates a polygon; vertices on straight runs may be left out.
+ *
+ * @returns the vertices of all rings behind each other, and three numbers a triangle, counter-clockwise
+ */
+export function capTriangles({ outer, holes }: Polygon): { xy: Float64Array; triangles: number[] } {
+  const rings = [outer, ...holes];
+  const xy = new Float64Array(rings.reduce((sum, ring) => sum + ring.length, 0));
+  const starts = placeRings(rings, xy);
+  // Whole steps from a corner of the plan: products of such numbers are exact, so the triangulation never errs on
+  // points that lie on edges.
+  const steps = xy.map((value, i) => Math.round((value - xy[i % 2]) * STEPS_PER_METRE));
+  const cap = earcut(steps, starts.slice(1));
+  const triangles: number[] = [];
+  for (let i = 0; i < cap.length; i += 3) {
+    const [a, b, c] = [cap[i], cap[i + 1], cap[i + 2]];
+    triangles.push(...(isCounterClockwise(steps, a, b, c) ? [a, b, c] : [a, c, b]));
+  }
+  return { xy, triangles };
 }
 
 /** Copies the rings behind each other; returns the first vertex of each. */
@@ -40,22 +64,6 @@ function placeRings(rings: readonly Ring[], into: Float64Array): number[] {
     offset += ring.length;
   }
   return starts;
-}
-
-function capTriangles(flat: Float64Array, starts: readonly number[]): number[] {
-  const count = flat.length / 2;
-  // Whole steps from a corner of the plan: products of such numbers are exact, so the triangulation never errs on
-  // points that lie on edges.
-  const steps = flat.map((value, i) => Math.round((value - flat[i % 2]) * STEPS_PER_METRE));
-  const cap = earcut(steps, starts.slice(1));
-  const indices: number[] = [];
-  for (let i = 0; i < cap.length; i += 3) {
-    const [a, b, c] = isCounterClockwise(steps, cap[i], cap[i + 1], cap[i + 2])
-      ? [cap[i], cap[i + 1], cap[i + 2]]
-      : [cap[i], cap[i + 2], cap[i + 1]];
-    indices.push(count + a, count + b, count + c, c, b, a);
-  }
-  return indices;
 }
 
 function isCounterClockwise(flat: Float64Array, a: number, b: number, c: number): boolean {

@@ -2,14 +2,17 @@ import { FloorPlanError } from '../core/errors.ts';
 import type { Options } from '../core/params.ts';
 import type { FloorPlan, Polygon, Solid, SolidGroup, Storey, Warning } from '../core/types.ts';
 import { extrude } from './extrude.ts';
+import { layeredShells } from './layers.ts';
+import { openingBoxes } from './opening-boxes.ts';
 import type { Engine, Part } from './part.ts';
 import { combine } from './planar.ts';
-import { carve, footprint } from './sections.ts';
+import { carve, footprint, unite } from './sections.ts';
 import { openEdges, type TriangleMesh } from './triangle-mesh.ts';
 
 /**
  * Raises a plan into a model ([Stojanovic19] §3.2): walls as vertical prisms, each secondary boundary subtracted from
  * walls and slabs, added to them, or kept as a solid of its own, a slab under and, if asked for, over the footprint.
+ * Openings are cut out of the walls (§3: a door as a CSG operation).
  *
  * The engine `slabs` cuts in the plane and extrudes: exact, since everything here is vertical. `bsp` is the paper's
  * Boolean operations on BSP trees; a part it leaves open is made by `slabs` instead, with a warning.
@@ -26,15 +29,18 @@ export async function makeSolid(
   const parts = plan.storeys.flatMap((storey) => partsOf(storey, options));
   const bsp = options.csg === 'bsp' ? (await import('./bsp-shells.ts')).bspShells : null;
   const shells = parts.flatMap((part) => {
-    const engine = bsp !== null && part.changes.length > 0 ? closedOr(bsp, slabShells, warn) : slabShells;
+    const isCut = part.changes.length > 0 || part.openings.length > 0;
+    const engine = bsp !== null && isCut ? closedOr(bsp, slabShells, warn) : slabShells;
     return engine(part).map((mesh) => ({ mesh, part }));
   });
   return joinShells(shells);
 }
 
 /** The exact engine: Booleans in the plane, then extrusion. */
-const slabShells: Engine = ({ base, changes, low, high }) =>
-  carve(base, changes).map((polygon) => extrude(polygon, low, high));
+const slabShells: Engine = (part) =>
+  part.openings.length > 0
+    ? layeredShells(part)
+    : carve(part.base, part.changes).map((polygon) => extrude(polygon, part.low, part.high));
 
 function partsOf(storey: Storey, options: Options): Part[] {
   const { index, floor, height, secondary } = storey;
@@ -51,13 +57,14 @@ function partsOf(storey: Storey, options: Options): Part[] {
   const changes = secondary.filter(({ operation }) => operation !== 'independent');
   const ceiling = floor + height;
   const slab = options.slabThickness;
-  const walls = combine(
-    'union',
-    storey.walls.map(({ outline }) => outline),
-  );
+  const walls = unite(storey.walls.map(({ outline }) => outline));
   const parts: Part[] = [];
   const add = (kind: Part['kind'], base: Polygon[], [low, high]: readonly [number, number]) =>
-    parts.push({ kind, storey: index, base, changes: kind === 'secondary' ? [] : changes, low, high });
+    parts.push({
+      ...{ kind, storey: index, base, low, high },
+      changes: kind === 'secondary' ? [] : changes,
+      openings: kind === 'wall' ? openingBoxes(storey) : [],
+    });
   add('wall', walls, [floor, ceiling]);
   if (options.floorSlab) add('floor', footprint(storey), [floor - slab, floor]);
   if (options.ceilingSlab) add('ceiling', footprint(storey), [ceiling, ceiling + slab]);

@@ -1,4 +1,5 @@
 import type { Polygon, SecondaryBoundary, SolidGroup } from '../core/types.ts';
+import type { OpeningBox } from './opening-boxes.ts';
 import type { TriangleMesh } from './triangle-mesh.ts';
 
 /** A vertical piece of a storey before the secondary boundaries have done their work on it. */
@@ -8,6 +9,8 @@ export interface Part {
   /** Disjoint polygons, metres. */
   readonly base: readonly Polygon[];
   readonly changes: readonly SecondaryBoundary[];
+  /** What openings take out of walls; added structures stay. */
+  readonly openings: readonly OpeningBox[];
   readonly low: number;
   readonly high: number;
 }

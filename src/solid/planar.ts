@@ -16,15 +16,17 @@ export const STEPS_PER_METRE = 1e6;
 const DEBRIS_WIDTH = 4 / STEPS_PER_METRE;
 /** A vertex this near an edge touches it, for all that files can tell, m: tables have 0.1 mm, GLB float32. */
 const TOUCH = 2e-4;
+/** Polygons of an area stand at least this far apart, m: well above what rounding sets apart that is meant to touch. */
+const APART = 1e-5;
 /** Half the side of the square knocked out where a polygon touches itself, m: just above what counts as touching. */
 const PINCH_HALF = 2.5e-4;
 /** Knocking out one pinch may make another; a handful of rounds has always been enough in the fuzz tests. */
-const PINCH_ROUNDS = 4;
+export const PINCH_ROUNDS = 4;
 
 /** Whole metres that are subtracted before rounding. */
 type Origin = readonly [x: number, y: number];
 
-export type PlanarOperation = 'union' | 'difference' | 'intersection';
+type PlanarOperation = 'union' | 'difference' | 'intersection';
 
 const CLIP_TYPES: Record<PlanarOperation, ClipType> = {
   union: ClipType.Union,
@@ -62,7 +64,7 @@ export function combine(
 }
 
 /**
- * Makes an area fit for extrusion and for files: no vertex of a polygon lies on another edge or vertex of it.
+ * Makes an area fit for extrusion and for files: no vertex lies on another edge or vertex.
  *
  * Where rings touch, the extruded edge would have four faces, and rounding may even have them cross; a square of half
  * a millimetre is knocked out there.
@@ -70,7 +72,7 @@ export function combine(
 export function separatePinches(polygons: readonly Polygon[]): Polygon[] {
   let current = [...polygons];
   for (let round = 0; round < PINCH_ROUNDS; round++) {
-    const pinches = current.flatMap(pinchesOf);
+    const pinches = pinchesOf(current);
     if (pinches.length === 0) break;
     current = combine('difference', current, pinches);
   }
@@ -130,9 +132,9 @@ function toRing(node: PolyPath64, origin: Origin, turn: 'counter-clockwise' | 'c
   return isDebris ? null : orientRing(ring, turn);
 }
 
-/** Squares around the vertices that lie on an edge they do not belong to. */
-function pinchesOf({ outer, holes }: Polygon): Polygon[] {
-  const edges = edgesOf([outer, ...holes]);
+/** Squares around the vertices of an area that lie on an edge they do not belong to. */
+export function pinchesOf(polygons: readonly Polygon[]): Polygon[] {
+  const edges = edgesOf(polygons);
   // In order of x, each edge looks at few vertices.
   const order = edges.map((_, i) => i).sort((i, j) => edges[i].ax - edges[j].ax);
   const pinches = new Set<number>();
@@ -141,7 +143,8 @@ function pinchesOf({ outer, holes }: Polygon): Polygon[] {
     for (let k = firstFrom(order, edges, low); k < order.length && edges[order[k]].ax <= high; k++) {
       const { ax, ay } = edges[order[k]];
       const isOwn = order[k] === e || order[k] === edge.next;
-      if (!isOwn && distanceToEdge(ax, ay, edge) < TOUCH) pinches.add(order[k]);
+      const reach = edges[order[k]].polygon === edge.polygon ? TOUCH : APART;
+      if (!isOwn && distanceToEdge(ax, ay, edge) < reach) pinches.add(order[k]);
     }
   });
   return [...pinches].map((i) => ({ outer: squareAround(edges[i].ax, edges[i].ay, PINCH_HALF), holes: [] }));
@@ -154,17 +157,21 @@ interface Edge {
   readonly by: number;
   /** The edge that starts where this one ends. */
   readonly next: number;
+  readonly polygon: number;
 }
 
-function edgesOf(rings: readonly Ring[]): Edge[] {
+function edgesOf(polygons: readonly Polygon[]): Edge[] {
   const edges: Edge[] = [];
-  for (const ring of rings) {
-    const first = edges.length;
-    for (let i = 0; i < ring.length; i += 2) {
-      const j = (i + 2) % ring.length;
-      edges.push({ ax: ring[i], ay: ring[i + 1], bx: ring[j], by: ring[j + 1], next: first + j / 2 });
+  polygons.forEach(({ outer, holes }, polygon) => {
+    for (const ring of [outer, ...holes]) {
+      const first = edges.length;
+      for (let i = 0; i < ring.length; i += 2) {
+        const j = (i + 2) % ring.length;
+        const ends = { ax: ring[i], ay: ring[i + 1], bx: ring[j], by: ring[j + 1] };
+        edges.push({ ...ends, next: first + j / 2, polygon });
+      }
     }
-  }
+  });
   return edges;
 }
 

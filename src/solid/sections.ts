@@ -1,18 +1,34 @@
 import { polygonArea } from '../core/geometry/rings.ts';
 import type { Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
-import { combine, type PlanarOperation, separatePinches } from './planar.ts';
+import { openingBoxes } from './opening-boxes.ts';
+import { combine, separatePinches } from './planar.ts';
+import { shareVertices } from './share-vertices.ts';
 
-/** Cross-section of a storey's walls once secondary boundaries are carved out or added: disjoint polygons, metres. */
+/** A plan is cut this far above the floor, m: through doors and most windows. */
+const CUT_HEIGHT = 1;
+
+/**
+ * Cross-section of a storey's walls a metre above the floor, openings cut, once secondary boundaries are carved out or
+ * added: disjoint polygons, metres.
+ */
 export function wallSection(storey: Storey): Polygon[] {
   const walls = storey.walls.map(({ outline }) => outline);
-  return carve(combine('union', walls), storey.secondary);
+  const open = openingsAtCut(storey);
+  return carve(combine('difference', unite(walls), open), storey.secondary);
+}
+
+/** What openings take out of the walls in the cross-section. */
+export function openingsAtCut(storey: Storey): Polygon[] {
+  const cut = storey.floor + CUT_HEIGHT;
+  const open = openingBoxes(storey).filter(({ low, high }) => low < cut && cut < high);
+  return open.map(({ base }) => base);
 }
 
 /** All that a storey covers, walls included; courtyards stay open. Disjoint polygons, metres. */
 export function footprint(storey: Storey): Polygon[] {
   const walls = storey.walls.map(({ outline }) => outline);
   const rooms = storey.rooms.map(({ outline }) => outline);
-  return combine('union', [...storey.primary, ...rooms, ...walls]);
+  return unite([...storey.primary, ...rooms, ...walls]);
 }
 
 /**
@@ -24,14 +40,14 @@ export function footprint(storey: Storey): Polygon[] {
 export function carve(base: readonly Polygon[], secondary: readonly SecondaryBoundary[]): Polygon[] {
   let section = [...base];
   for (const { outline, operation } of secondary) {
-    const planar = PLANAR[operation];
-    if (planar !== null) section = combine(planar, section, [outline]);
+    if (operation === 'subtract') section = combine('difference', section, [outline]);
+    if (operation === 'add') section = unite([...section, outline]);
   }
   return separatePinches(section).sort((a, b) => polygonArea(b) - polygonArea(a));
 }
 
-const PLANAR: Record<SecondaryBoundary['operation'], PlanarOperation | null> = {
-  subtract: 'difference',
-  add: 'union',
-  independent: null,
-};
+/** The union of areas; those that rounding alone keeps apart become one. */
+export function unite(polygons: readonly Polygon[]): Polygon[] {
+  if (polygons.length < 2) return combine('union', polygons);
+  return combine('union', shareVertices(polygons.map((polygon) => [polygon])).flat());
+}

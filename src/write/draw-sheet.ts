@@ -1,8 +1,9 @@
 import { orientRing } from '../core/geometry/rings.ts';
 import type { Gap, Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
 import { areaOf, combine } from '../solid/planar.ts';
-import { footprint } from '../solid/sections.ts';
+import { footprint, openingsAtCut } from '../solid/sections.ts';
 import { drawDimensions, extentOf, planDimensions } from './dimensions.ts';
+import { drawOpenings, placeData } from './draw-openings.ts';
 import { hatch } from './hatch.ts';
 import { labelPoint } from './label-point.ts';
 import type { Product } from './plan-writer.ts';
@@ -49,14 +50,20 @@ export function drawSheet(product: Product, storey: number, { hasPoints = false 
   const { paper, scale, planToSheet: squareToSheet } = fitPage(extent, dimensions.surround);
   const planToSheet = chain(squareToSheet, rotationBy(turn));
   const walls = drawWalls(drawn, planToSheet);
+  const openings = drawOpenings(drawn, planToSheet);
   const facts = factsOf(product, drawn, { scale, paper: paper.name, turn });
-  const block = drawTitleBlock({ ...facts, turn, legend: legendOf(drawn, walls.gaps) }, paper, scale);
+  const block = drawTitleBlock(
+    { ...facts, turn, legend: legendOf(drawn, walls.gaps, openings) },
+    paper,
+    scale,
+  );
   const points: SheetItem[] = hasPoints ? [{ kind: 'points', xy: mapped(slice.xy, planToSheet) }] : [];
   const layers: SheetLayer[] = [
     { name: 'points', isVisible: hasPoints, items: points },
     { name: 'walls', isVisible: true, items: walls.cut },
     { name: 'secondary', isVisible: true, items: drawSecondary(drawn.secondary, planToSheet) },
     { name: 'gaps', isVisible: true, items: walls.gaps },
+    { name: 'openings', isVisible: true, items: openings },
     { name: 'dimensions', isVisible: true, items: drawDimensions(dimensions, extent, squareToSheet) },
     { name: 'labels', isVisible: true, items: drawLabels(drawn, planToSheet, scale) },
     { name: 'title', isVisible: true, items: block },
@@ -65,27 +72,33 @@ export function drawSheet(product: Product, storey: number, { hasPoints = false 
   return { paper, scale, storey, title: facts.title, description, planToSheet, layers };
 }
 
-/** Cut walls, and the stretches of wall along gaps, which no point supports; secondary boundaries are left free. */
+/**
+ * Cut walls, and the stretches of wall along gaps, which no point supports; openings and secondary boundaries are left
+ * free.
+ */
 function drawWalls(storey: Storey, planToSheet: Affine): { cut: SheetItem[]; gaps: SheetItem[] } {
   const section = combine(
     'difference',
     storey.walls.map(({ outline }) => outline),
-    storey.secondary.map(({ outline }) => outline),
+    [...storey.secondary.map(({ outline }) => outline), ...openingsAtCut(storey)],
   );
   const thickness = Math.max(0, ...storey.walls.map((wall) => wall.thickness));
   const stretches = storey.gaps.map((gap) => stretchOf(gap, thickness * GAP_OVERLAP));
   const cut = stretches.length === 0 ? section : combine('difference', section, stretches);
-  const items = (polygons: readonly Polygon[], style: 'wall' | 'inferred', name: string): SheetItem[] =>
-    polygons.map((polygon, i) => ({
-      kind: 'path',
-      style,
-      lines: ringsOf(polygon).map((ring) => mapped(ring, planToSheet)),
-      isClosed: true,
-      id: `${name}-${i}`,
-      data: { kind: name },
-    }));
-  const inferred = stretches.flatMap((stretch) => combine('intersection', section, [stretch]));
-  return { cut: items(cut, 'wall', 'wall'), gaps: items(inferred, 'inferred', 'gap') };
+  const linesOf = (polygon: Polygon) => ringsOf(polygon).map((ring) => mapped(ring, planToSheet));
+  const inferred = stretches.flatMap((stretch, gap) =>
+    combine('intersection', section, [stretch]).map((polygon) => ({ polygon, gap })),
+  );
+  return {
+    cut: cut.map((polygon, i) => ({
+      ...({ kind: 'path', style: 'wall', lines: linesOf(polygon), isClosed: true } as const),
+      ...{ id: `wall-${i}`, data: { kind: 'wall' } },
+    })),
+    gaps: inferred.map(({ polygon, gap }, i) => ({
+      ...({ kind: 'path', style: 'inferred', lines: linesOf(polygon), isClosed: true } as const),
+      ...{ id: `gap-${i}`, data: { kind: 'gap', gap, ...placeData(storey.gaps[gap]) } },
+    })),
+  };
 }
 
 /** The rectangle along a gap, as wide as the wall to both sides. */
@@ -156,7 +169,11 @@ function isWiderThanDeep(outline: Polygon): boolean {
   return maxX - minX > maxY - minY;
 }
 
-function legendOf({ walls, secondary }: Storey, gaps: readonly SheetItem[]): LegendEntry[] {
+function legendOf(
+  { walls, secondary, openings }: Storey,
+  gaps: readonly SheetItem[],
+  drawn: readonly SheetItem[],
+): LegendEntry[] {
   const operations = (['subtract', 'add', 'independent'] as const).filter((operation) =>
     secondary.some((boundary) => boundary.operation === operation),
   );
@@ -164,6 +181,7 @@ function legendOf({ walls, secondary }: Storey, gaps: readonly SheetItem[]): Leg
     ...(walls.length > 0 ? (['wall'] as const) : []),
     ...(gaps.length > 0 ? (['inferred'] as const) : []),
     ...operations,
+    ...(drawn.length > 0 && openings.some(({ type }) => type === 'door') ? (['door'] as const) : []),
   ];
 }
 

@@ -51,7 +51,7 @@ function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
     ...storey.walls.flatMap(({ outline, thickness, confidence }) =>
       areas('wall', outline, () => ({ thicknessM: number(thickness), confidence: number(confidence) })),
     ),
-    ...storey.openings.map(({ type, from, to: end, sill, head }) =>
+    ...storey.openings.map(({ type, from, to: end, sill, head, confidence }) =>
       feature(
         'opening',
         { type: 'LineString', coordinates: [position(from[0], from[1], to), position(end[0], end[1], to)] },
@@ -60,6 +60,7 @@ function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
           widthM: number(Math.hypot(end[0] - from[0], end[1] - from[1])),
           sillM: number(sill),
           headM: number(head),
+          confidence: number(confidence),
         },
       ),
     ),

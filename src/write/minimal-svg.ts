@@ -10,8 +10,9 @@ const DIGITS = 5;
 /**
  * Writes plan.minimal.svg: paths only, in plan metres with y down, as [Stojanovic19] §3.2 extrudes them.
  *
- * One path holds the walls after secondary boundaries were carved out or added, one path each holds a secondary
- * boundary. three's SVGLoader reads it as it stands.
+ * One path holds the walls as cut a metre above the floor, after openings were cut and secondary boundaries carved out
+ * or added; one path each holds a secondary boundary. three's SVGLoader reads it as it stands; extruded, it lacks the
+ * lintels over doors.
  */
 export function writeMinimalSvg({ plan }: Product, storey: number): string {
   const { secondary } = plan.storeys[storey];

@@ -62,11 +62,12 @@ function readStorey(value: Json, index: number): Storey {
       const object = asObject(item, `${place}.${key}[${i}]`);
       return { ...object, outline: readPolygon(object.outline, `${place}.${key}[${i}].outline`) };
     });
-  const stretches = (key: 'openings' | 'gaps') =>
+  const stretches = (key: 'openings' | 'gaps', numbers: readonly string[]) =>
     asList(storey[key], `${place}.${key}`).map((item, i) => {
       const object = asObject(item, `${place}.${key}[${i}]`);
       readPair(object.from, `${place}.${key}[${i}].from`);
       readPair(object.to, `${place}.${key}[${i}].to`);
+      for (const name of numbers) asNumber(object[name], `${place}.${key}[${i}].${name}`);
       return object;
     });
   return {
@@ -77,8 +78,8 @@ function readStorey(value: Json, index: number): Storey {
     secondary: outlined('secondary'),
     walls: outlined('walls'),
     rooms: outlined('rooms'),
-    openings: stretches('openings'),
-    gaps: stretches('gaps'),
+    openings: stretches('openings', ['sill', 'head', 'confidence']),
+    gaps: stretches('gaps', ['width']),
   } as unknown as Storey;
 }
 

@@ -50,6 +50,7 @@ export const LINE_STYLES = {
   secondary: { width: 0.35 },
   hatch: { width: 0.13 },
   inferred: { width: 0.25, dash: [3, 1] },
+  opening: { width: 0.25 },
   dimension: { width: 0.18 },
   tick: { width: 0.35 },
   rule: { width: 0.18 },
@@ -60,7 +61,15 @@ export const LINE_STYLES = {
 /** Text sizes in mm. */
 export const TEXT_SIZES = { label: 2.5, room: 3.5, title: 5 } as const;
 
-export type LayerName = 'points' | 'walls' | 'secondary' | 'gaps' | 'dimensions' | 'labels' | 'title';
+export type LayerName =
+  | 'points'
+  | 'walls'
+  | 'secondary'
+  | 'gaps'
+  | 'openings'
+  | 'dimensions'
+  | 'labels'
+  | 'title';
 
 /** One or more lines or rings drawn together; where filled, by the even-odd rule. */
 export interface SheetPath {

@@ -5,7 +5,7 @@ import { MARGIN, STRIP } from './sheet-page.ts';
 import { shorten } from './text-width.ts';
 
 /** A sample in the legend. */
-export type LegendEntry = 'wall' | 'inferred' | keyof typeof HATCHES;
+export type LegendEntry = 'wall' | 'inferred' | 'door' | keyof typeof HATCHES;
 
 export interface TitleFacts {
   readonly title: string;
@@ -25,11 +25,14 @@ const LINE_HEIGHT = 4.2;
 const SEGMENTS = 4;
 const LONGEST_SEGMENT = 20;
 const BAR_HEIGHT = 1.6;
+/** Length of the wall at either side of the legend's door, mm. */
+const DOOR_STUMP = 1.6;
 const SWATCH = { width: 8, height: 3.6, column: 40, row: 6 } as const;
 
 const LEGEND: Record<LegendEntry, string> = {
   wall: 'Wall',
   inferred: 'Inferred: no points',
+  door: 'Door: hinge side unknown',
   subtract: 'Structure, subtracted',
   add: 'Structure, added',
   independent: 'Structure, independent',
@@ -157,6 +160,19 @@ function drawSwatch(entry: LegendEntry, box: Float64Array): SheetItem[] {
   });
   if (entry === 'wall') return [outline('scaleBar')];
   if (entry === 'inferred') return [outline('inferred')];
+  if (entry === 'door') return drawDoor(box);
   const lines = HATCHES[entry].flatMap(({ angle, spacing }) => hatch([box], angle, spacing));
   return [{ kind: 'path', style: 'hatch', lines, isClosed: false }, outline('swatch')];
+}
+
+/** Two stumps of wall and the thin line between them. */
+function drawDoor(box: Float64Array): SheetItem[] {
+  const [left, top, right, , , bottom] = box;
+  const stump = (from: number, to: number) => Float64Array.of(from, top, to, top, to, bottom, from, bottom);
+  const [from, to] = [left + DOOR_STUMP, right - DOOR_STUMP];
+  const middle = (top + bottom) / 2;
+  return [
+    { kind: 'path', style: 'scaleBar', lines: [stump(left, from), stump(to, right)], isClosed: true },
+    { kind: 'path', style: 'opening', lines: [Float64Array.of(from, middle, to, middle)], isClosed: false },
+  ];
 }

@@ -1,15 +1,23 @@
 import { expect, test } from '@playwright/test';
 import { build } from 'vite';
+import type { Operation, Polygon, Solid, SolidGroup, Storey } from '../../src/core/types.ts';
+import { checkSolid } from '../../src/solid/check-solid.ts';
+import { areaOf } from '../../src/solid/planar.ts';
+import { wallSection } from '../../src/solid/sections.ts';
+import { writeMinimalSvg } from '../../src/write/minimal-svg.ts';
+import { disc, rectangle, reversed, secondary, wallAround } from '../unit/solid/plans.ts';
+import { productOf } from '../unit/write/products.ts';
+import type { Extruded } from './extrude-drawing.ts';
 
-/** The parser alone, as a script that leaves it on the page. */
-async function parserScript(): Promise<string> {
+/** A module alone, as a script that leaves it on the page under `name`. */
+async function scriptOf(entry: string, name: string): Promise<string> {
   const built = await build({
     configFile: false,
     publicDir: false,
     logLevel: 'error',
     build: {
       write: false,
-      lib: { entry: 'src/view/parse-drawing.ts', formats: ['iife'], name: 'drawing' },
+      lib: { entry, formats: ['iife'], name },
     },
   });
   const [output] = [built].flat();
@@ -50,7 +58,7 @@ test('a drawing of shapes and text is taken; anything that could run or reach ou
       return { good: outcome(good), bad: Object.entries(bad).map(([name, text]) => [name, outcome(text)]) };
     },
     [
-      await parserScript(),
+      await scriptOf('src/view/parse-drawing.ts', 'drawing'),
       `${open}<metadata>{}</metadata><g><path d="M0 0h1" fill="url(#hatch)"/><text>A</text></g></svg>`,
       REFUSED,
     ] as const,
@@ -58,3 +66,70 @@ test('a drawing of shapes and text is taken; anything that could run or reach ou
   expect(results.good).toBe('1 0 0 -1 0 9');
   expect(results.bad).toEqual(Object.keys(REFUSED).map((name) => [name, 'input/malformed']));
 });
+
+const outer = rectangle(0, 0, 8, 6);
+const court: Polygon = { outer, holes: [reversed(rectangle(3, 2, 2, 2))] };
+const courtWall: Polygon = {
+  outer: rectangle(3, 2, 2, 2),
+  holes: [reversed(rectangle(3.2, 2.2, 1.6, 1.6))],
+};
+const wall = (outline: Polygon) => ({ outline, thickness: 0.2, confidence: 1 });
+/** A round column half in the wall and a hollow cubicle in the room. */
+const structured = (operation: Operation): Partial<Storey> => ({
+  primary: [{ outer, holes: [] }],
+  walls: [wall(wallAround(outer, 0.2))],
+  secondary: [
+    secondary(disc(8.1, 3, 0.5, 24), operation),
+    secondary(rectangle(1, 1, 1.5, 1), operation, [reversed(rectangle(1.2, 1.2, 1.1, 0.6))]),
+  ],
+});
+
+const EXTRUDED: Readonly<Record<string, Partial<Storey>>> = {
+  'structures subtracted': structured('subtract'),
+  'structures added': structured('add'),
+  'structures independent': structured('independent'),
+  'a courtyard': { primary: [court], walls: [wall(wallAround(outer, 0.2)), wall(courtWall)] },
+};
+
+const HEIGHT = 2.5;
+
+function extentOf({ positions, indices, groups }: Solid): number[] {
+  const used = groups.flatMap(({ start, count }) => [...indices.subarray(start, start + count)]);
+  return [0, 1, 2].flatMap((axis) => {
+    const values = used.map((vertex) => positions[3 * vertex + axis]);
+    return [Math.min(...values), Math.max(...values)];
+  });
+}
+
+for (const [name, storey] of Object.entries(EXTRUDED)) {
+  test(`plan.minimal.svg through SVGLoader and ExtrudeGeometry is the solid: ${name}`, async ({ page }) => {
+    const facts = { storeys: [{ height: HEIGHT, ...storey }], options: { floorSlab: false } };
+    const product = await productOf(facts);
+    const { plan, solid } = product;
+    const of = (kind: SolidGroup['kind']): Solid => ({
+      ...solid,
+      groups: solid.groups.filter((group) => group.kind === kind),
+    });
+    const svg = writeMinimalSvg(product, 0);
+    await page.goto('./?src=');
+    const extruded = await page.evaluate(
+      ([script, text, height]) =>
+        new Function(`${script}; return loaded`)().extrudeDrawing(text, height) as Extruded[],
+      [await scriptOf('tests/browser/extrude-drawing.ts', 'loaded'), svg, HEIGHT] as const,
+    );
+    const [walls, ...structures] = extruded;
+    expect(walls).toMatchObject({ id: 'walls', isClosed: true });
+    expect(walls.area).toBeCloseTo(areaOf(wallSection(plan.storeys[0])), 4);
+    expect(walls.volume).toBeCloseTo(checkSolid(of('wall')).volume, 4);
+    extentOf(of('wall')).forEach((value, i) => {
+      expect(walls.bounds[i]).toBeCloseTo(value, 4);
+    });
+    // Structures are there each as a path of its own; those that stand alone are solids of ours too.
+    expect(structures.map(({ id }) => id)).toEqual((storey.secondary ?? []).map((_, i) => `secondary-${i}`));
+    const alone = of('secondary');
+    if (alone.groups.length === 0) return;
+    const volume = structures.reduce((sum, structure) => sum + structure.volume, 0);
+    expect(volume).toBeCloseTo(checkSolid(alone).volume, 4);
+    expect(structures.every(({ isClosed }) => isClosed)).toBe(true);
+  });
+}

@@ -9,10 +9,18 @@ const ROUNDING = 1e-9;
 
 /** The point the edge a → next[a] opens to that the ring does not pass already; -1 when there is none. */
 export function unpassedPointBehind(hull: HullRing, a: number, { supportLength }: OpeningRules): number {
+  const look = { opened: a, longest: supportLength };
   let p = findOpeningPoint(hull, a, hull.next[a]);
-  if (p >= 0 && isPassed(hull, p, supportLength))
-    p = findOpeningPoint(hull, a, hull.next[a], (q) => isPassed(hull, q, supportLength));
+  if (p >= 0 && isPassed(hull, p, look))
+    p = findOpeningPoint(hull, a, hull.next[a], (q) => isPassed(hull, q, look));
   return p >= 0 && isBlocked(hull, a, p, hull.next[a]) ? -1 : p;
+}
+
+interface Look {
+  /** The edge to be opened: what lies behind it, or in the wedge at its ends, it may well take in. */
+  readonly opened: number;
+  /** Longest edge that follows a wall, m. */
+  readonly longest: number;
 }
 
 /**
@@ -20,22 +28,21 @@ export function unpassedPointBehind(hull: HullRing, a: number, { supportLength }
  *
  * Such a point is of the wall the edge follows. A ring that took it in would have that wall between two outsides: it
  * would lead through a room, not around it.
- *
- * @param longest longest edge that follows a wall, m
  */
-function isPassed(hull: HullRing, p: number, longest: number): boolean {
+function isPassed(hull: HullRing, p: number, look: Look): boolean {
   const { next, edges } = hull;
   const { x, y } = hull.grid;
   const count = edges.around(x[p], y[p], NARROWEST_ROOM);
   for (let k = 0; k < count; k++) {
     const a = edges.u[edges.found[k]];
-    if (next[a] === edges.v[edges.found[k]] && isBehind(hull, a, p, longest)) return true;
+    if (a === look.opened || next[a] !== edges.v[edges.found[k]]) continue;
+    if (isBehind(hull, a, p, look)) return true;
   }
   return false;
 }
 
 /** Whether p lies just behind the edge a → next[a], or in the wedge between it and an edge that turns away from p. */
-function isBehind(hull: HullRing, a: number, p: number, longest: number): boolean {
+function isBehind(hull: HullRing, a: number, p: number, { opened, longest }: Look): boolean {
   const { next, previous } = hull;
   const { x, y } = hull.grid;
   const b = next[a];
@@ -51,6 +58,7 @@ function isBehind(hull: HullRing, a: number, p: number, longest: number): boolea
   const beyond = along < 0 ? -along : along - length;
   if (beyond * beyond + depth * depth > NARROWEST_ROOM * NARROWEST_ROOM) return false;
   const [from, at, to] = along < 0 ? [previous[a], a, b] : [a, b, next[b]];
+  if (from === opened || at === opened) return false;
   const isSettled = lengthOf(hull, along < 0 ? from : at) <= longest;
   return isSettled && (x[at] - x[from]) * (y[to] - y[at]) - (y[at] - y[from]) * (x[to] - x[at]) < 0;
 }

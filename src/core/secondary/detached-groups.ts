@@ -3,7 +3,7 @@ import { centroid, perimeter, pointInPolygon, signedArea } from '../geometry/rin
 import type { Options } from '../params.ts';
 import type { Polygon, Ring, Slice } from '../types.ts';
 import { isFilled } from './filled.ts';
-import { cutGroup, groupOffWalls, type OffWallGroup } from './off-wall-groups.ts';
+import { cutGroup, groupOffWalls, type OffWallGroup, withSharedPoints } from './off-wall-groups.ts';
 import { outlineStructure, type StructureOutline } from './outline-structure.ts';
 import { pointsOf } from './point-groups.ts';
 import { facingShare, seenShare } from './seen-sides.ts';
@@ -83,6 +83,14 @@ function candidatesOf(group: OffWallGroup, surroundings: Surroundings): Candidat
 }
 
 function candidateOf(group: OffWallGroup, surroundings: Surroundings): Candidate | null {
+  const candidate = judge(group, surroundings);
+  if (!candidate || group.place !== 'touching') return candidate;
+  const { slice, faces } = surroundings;
+  const members = withSharedPoints(group.members, candidate.outline, slice, faces);
+  return judge({ members, place: 'touching' }, surroundings) ?? candidate;
+}
+
+function judge(group: OffWallGroup, surroundings: Surroundings): Candidate | null {
   const { slice, primary, faces, options, context } = surroundings;
   if (group.members.length < FEWEST_POINTS) return null;
   const points = pointsOf(slice.xy, group.members);

@@ -1,5 +1,7 @@
-import type { Slice } from '../types.ts';
+import { boundsOf, pointInRing } from '../geometry/rings.ts';
+import type { Ring, Slice } from '../types.ts';
 import { groupPoints, pointsOf } from './point-groups.ts';
+import { distanceToRing } from './structure.ts';
 import type { WallFaces } from './wall-faces.ts';
 
 /** Cells are this many mean spacings wide: points one to two cells apart hang together. */
@@ -49,6 +51,30 @@ export function cutGroup(
     members: part,
     place: touches(part, xy, spacing, faces) ? 'touching' : 'cut',
   }));
+}
+
+/**
+ * The points of a structure beside a wall, with those near its outline that may be of either: half as far from the
+ * wall's face as its points reach there are hardly any of the wall's.
+ */
+export function withSharedPoints(
+  members: Uint32Array,
+  outline: Ring,
+  { xy }: Slice,
+  faces: WallFaces,
+): Uint32Array {
+  const isMember = new Uint8Array(xy.length / 2);
+  for (const i of members) isMember[i] = 1;
+  const { minX, minY, maxX, maxY } = boundsOf(outline);
+  const { reach } = faces;
+  return Uint32Array.from(isMember.keys()).filter((i) => {
+    if (isMember[i] === 1) return true;
+    const [x, y] = [xy[2 * i], xy[2 * i + 1]];
+    if (x < minX - reach || x > maxX + reach || y < minY - reach || y > maxY + reach) return false;
+    const height = faces.heightAt(x, y);
+    if (height <= reach / 2 || height > reach) return false;
+    return pointInRing(x, y, outline) > 0 || distanceToRing(x, y, outline) <= reach;
+  });
 }
 
 function touches(members: Uint32Array, xy: Float64Array, spacing: number, faces: WallFaces): boolean {

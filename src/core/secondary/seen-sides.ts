@@ -60,7 +60,7 @@ function seenPlaces(edges: RingEdges, xy: Float64Array, length: number, faceReac
   return { isSeen, gap };
 }
 
-/** Which places look at the walls, and the one nearest to them. */
+/** Which places look at the walls, and the one of these nearest to them. */
 function facingPlaces(outline: Ring, edges: RingEdges, step: number, { noise, heightAt }: WallFaces) {
   const isFacing = new Uint8Array(PLACES);
   let [e, lowest, least] = [0, 0, Infinity];
@@ -75,7 +75,7 @@ function facingPlaces(outline: Ring, edges: RingEdges, step: number, { noise, he
     const [x, y] = [outline[i] + along * dx, outline[i + 1] + along * dy];
     const height = heightAt(x, y);
     isFacing[k] = heightAt(x + look * dy, y - look * dx) <= height - FACING_COSINE * look ? 1 : 0;
-    if (height >= least) continue;
+    if (isFacing[k] === 0 || height >= least) continue;
     least = height;
     lowest = k;
   }

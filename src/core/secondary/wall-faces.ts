@@ -59,7 +59,8 @@ export function findWallFaces(slice: Slice, options: Options, context: StageCont
       const { edge, along, across } = edges;
       const on = Math.max(0, Math.min(edges.length[edge], along));
       const height = across - lines.offset[edge] - lines.slope[edge] * on;
-      return along === on ? height : Math.sign(height) * Math.hypot(height, along - on);
+      // Past a corner of the walls the line of an edge runs through the room: the outline tells in from out.
+      return along === on ? height : (across < 0 ? -1 : 1) * Math.hypot(height, along - on);
     },
   };
 }

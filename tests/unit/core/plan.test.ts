@@ -4,7 +4,7 @@ import { resolveOptions } from '../../../src/core/options.ts';
 import { makePlan, type PlanParts } from '../../../src/core/plan.ts';
 import { strokeContour } from '../../../src/core/plan-walls.ts';
 import { createRandom } from '../../../src/core/random.ts';
-import type { PointCloud, Polygon, Ring } from '../../../src/core/types.ts';
+import type { Gap, PointCloud, Polygon, Ring } from '../../../src/core/types.ts';
 import { expectValidPolygon, expectValidPolygons } from '../../invariants.ts';
 import { codesOf, everyIndex, listen, makeCloud } from './made-scan.ts';
 
@@ -70,31 +70,46 @@ describe('strokeContour', () => {
   });
 });
 
+/** A plan around one polygon. */
+function planAround(
+  polygon: Polygon,
+  given: Parameters<typeof resolveOptions>[0],
+  { cloud = makeCloud([0, 0, 0, 1, 1, 2.5]), gaps = [] }: { cloud?: PointCloud; gaps?: readonly Gap[] } = {},
+) {
+  const { context, warnings } = listen();
+  const parts: PlanParts = {
+    source: { name: 'a', format: 'ply', bytes: 1, pointsRead: 1, pointsDropped: 0, pointsKept: 1 },
+    cloud,
+    kept: everyIndex(cloud),
+    boundary: { method: 'gift-opening', polygons: [polygon], openingLength: 1, gaps },
+    regularised: { passes: [], polygons: [polygon] },
+    secondary: { clusters: new Uint8Array(0), searches: [], boundaries: [] },
+    options: resolveOptions(given),
+  };
+  const plan = makePlan(parts, context);
+  return { plan, storey: plan.storeys[0], codes: codesOf(warnings) };
+}
+
 describe('makePlan', () => {
   const points: number[] = [];
   for (const x of [0.1, 6.1]) for (const y of [0.2, 4.2]) for (const z of [1, 2, 3.5]) points.push(x, y, z);
 
   function run(extra: Partial<PointCloud>, given: Parameters<typeof resolveOptions>[0] = {}, gapWidth = 0) {
-    const cloud = makeCloud(points, extra);
-    const { context, warnings } = listen();
     const gap = { from: [0.1, 0.2], to: [0.1 + gapWidth, 0.2], width: gapWidth } as const;
-    const parts: PlanParts = {
-      source: { name: 'a', format: 'ply', bytes: 1, pointsRead: 1, pointsDropped: 0, pointsKept: 1 },
-      cloud,
-      kept: everyIndex(cloud),
-      boundary: {
-        method: 'gift-opening',
-        polygons: [RECTANGLE],
-        openingLength: 1,
-        gaps: gapWidth > 0 ? [gap] : [],
-      },
-      regularised: { passes: [], polygons: [RECTANGLE] },
-      secondary: { clusters: new Uint8Array(0), searches: [], boundaries: [] },
-      options: resolveOptions(given),
-    };
-    const plan = makePlan(parts, context);
-    return { plan, storey: plan.storeys[0], codes: codesOf(warnings) };
+    const cloud = makeCloud(points, extra);
+    return planAround(RECTANGLE, given, { cloud, gaps: gapWidth > 0 ? [gap] : [] });
   }
+
+  test('doors are openings of the storey, no higher than its walls', () => {
+    const { storey, codes } = run({ floor: 0, ceiling: 3 }, { wallHeight: 1.9, doors: 'gaps;6.1,2,0.8' }, 1);
+    expect(storey.openings.map(({ from, to }) => Math.hypot(to[0] - from[0], to[1] - from[1]))).toEqual([
+      expect.closeTo(1, 9),
+      expect.closeTo(0.8, 9),
+    ]);
+    expect(storey.openings.map(({ head }) => head)).toEqual([1.9, 1.9]);
+    expect(storey.openings.map(({ confidence }) => confidence)).toEqual([storey.walls[0].confidence, 1]);
+    expect(codes).toEqual([]);
+  });
 
   test('stands from floor to ceiling', () => {
     const { storey, codes, plan } = run({ floor: 1, ceiling: 3.4 });
@@ -129,6 +144,30 @@ describe('makePlan', () => {
     expect(polygonArea(storey.walls[0].outline)).toBeCloseTo(6.6 * 4.6 - 24, 6);
     const centred = run({ floor: 0, ceiling: 3 }, { wallSide: 'centre' }).storey.walls[0];
     expect(polygonArea(centred.outline)).toBeCloseTo(6.2 * 4.2 - 5.8 * 3.8, 6);
+  });
+});
+
+describe('walls of any thickness', () => {
+  const courtyard = ring(2, 1.2, 2, 3.2, 4, 3.2, 4, 1.2);
+  const outlines = {
+    rectangle: RECTANGLE,
+    courtyard: { ...RECTANGLE, holes: [courtyard] },
+    ell: { outer: ring(0, 0, 6, 0, 6, 2, 3, 2, 3, 4, 0, 4), holes: [] },
+  };
+  const widths = [0.01, 0.2, 0.999, 1, 2, 3.9, 4, 4.1, 5];
+  const cases = Object.keys(outlines).flatMap((name) =>
+    widths.flatMap((width) =>
+      (['outside', 'centre'] as const).map((side) => [name as keyof typeof outlines, width, side] as const),
+    ),
+  );
+
+  test.each(cases)('%s, %f m, %s: valid, and told where no room is left', (name, wallThickness, wallSide) => {
+    const { storey, codes } = planAround(outlines[name], { wallThickness, wallSide, wallHeight: 2.5 });
+    expectValidPolygons(storey.walls.map(({ outline }) => outline));
+    const pen = wallSide === 'centre' ? wallThickness / 2 : 0;
+    // Half the width of the widest place.
+    const clear = { rectangle: 2, courtyard: 1.05, ell: 1.5 }[name];
+    expect(codes).toEqual(pen >= clear ? ['plan/walls-fill-room'] : []);
   });
 });
 

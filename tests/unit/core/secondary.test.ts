@@ -22,6 +22,8 @@ import { proposeCount } from '../../../src/core/secondary/propose-count.ts';
 import { findWallFaces } from '../../../src/core/secondary/wall-faces.ts';
 import { findSecondary } from '../../../src/core/secondary.ts';
 import type { Slice } from '../../../src/core/types.ts';
+import { blobSource } from '../../../src/read/blob-source.ts';
+import { Session } from '../../../src/session/session.ts';
 import { expectValidPolygons, expectValidRing } from '../../invariants.ts';
 import { codesOf, listen, shuffled } from './made-scan.ts';
 
@@ -334,6 +336,18 @@ describe('the search of the paper', () => {
     expect(boundaries).toEqual([]);
     expect(codes).toEqual(['secondary/no-outline', 'secondary/fewer-found']);
   });
+});
+
+test('a proposal is told in the outcome of the stage', async () => {
+  const { xy } = paperSlice('room-1a');
+  const rows = Array.from({ length: xy.length / 2 }, (_, i) => `${xy[2 * i]},${xy[2 * i + 1]}`);
+  const session = new Session({ strokeTest: createStrokeTest() });
+  const source = blobSource(new Blob([`x,y\n${rows.join('\n')}\n`]), 'room.csv');
+  const outcome = async (given: Given) =>
+    (await session.load(source, given)).stages.find(({ name }) => name === 'secondary')?.outcome;
+  expect(await outcome({ secondaryMethod: 'robust', secondaryCount: 'auto' })).toBe('1 structure (proposed)');
+  expect(await outcome({ secondaryCount: 'auto' })).toBe('1 structure (proposed)');
+  expect(await outcome({ secondaryCount: 1 })).toBe('1 structure');
 });
 
 describe('proposeCount', () => {

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { FloorPlanError } from '../../../src/core/errors.ts';
-import type { Warning } from '../../../src/core/types.ts';
+import type { Opening, Warning } from '../../../src/core/types.ts';
 import { checkSolid } from '../../../src/solid/check-solid.ts';
 import { makeSolid } from '../../../src/solid/make-solid.ts';
 import { disc, type PlanFacts, planOf, rectangle, reversed, ring, secondary, wallAround } from './plans.ts';
@@ -128,6 +128,69 @@ test('a storey without height is refused', async () => {
   const failure = await makeSolid(plan, plan.options).catch((error: unknown) => error);
   expect(failure).toBeInstanceOf(FloorPlanError);
   expect(failure).toMatchObject({ code: 'input/degenerate', detail: { storey: 0 } });
+});
+
+const door = (from: Opening['from'], to: Opening['to'], { sill = 0, head = 2 } = {}): Opening => ({
+  ...{ type: 'door', from, to, sill, head, confidence: 1 },
+});
+
+test('a door is cut out of its wall under a lintel, in one closed shell without faces inside', async () => {
+  const openings = [door([1, -0.1], [1.9, -0.1])];
+  const { solid, check, names } = await solidOf({ storeys: [{ openings }], options: NO_SLABS });
+  expect(names).toEqual(['wall-0']);
+  expect(check.watertight).toBe(true);
+  const [wallArea, wallFaces] = [4.4 * 3.4 - 12, (2 * 4.4 + 2 * 3.4 + 14) * 2.5];
+  expect(check.volume).toBeCloseTo(wallArea * 2.5 - 0.9 * 0.2 * 2, 9);
+  // Two jambs and the lintel's underside come, both faces of the door and its sill go.
+  expect(check.area).toBeCloseTo(wallFaces + 2 * wallArea + 2 * 2 * 0.2 - 2 * 0.9 * 2, 9);
+  // 8 + 4 vertices at the sections, and what the level at the head adds.
+  expect(solid.indices.length / 3).toBeLessThanOrEqual(60);
+});
+
+test('a door as high as its wall parts it', async () => {
+  const openings = [door([1, -0.1], [1.9, -0.1], { head: 2.5 }), door([1, 3.1], [1.9, 3.1], { head: 2.5 })];
+  const { check, names } = await solidOf({ storeys: [{ openings }], options: NO_SLABS });
+  expect(names).toEqual(['wall-0', 'wall-1']);
+  expect(check).toMatchObject({ watertight: true, openEdges: 0 });
+  expect(check.volume).toBeCloseTo((4.4 * 3.4 - 12 - 2 * 0.9 * 0.2) * 2.5, 9);
+});
+
+test('doors side by side, over each other and of two heights, and a window, stay one closed shell', async () => {
+  const openings = [
+    door([0.5, -0.1], [1.4, -0.1]),
+    door([1.4, -0.1], [2, -0.1], { head: 2.2 }),
+    door([1.8, -0.1], [2.5, -0.1], { head: 1.7 }),
+    door([4.1, 1], [4.1, 2], { sill: 0.9, head: 2.1 }),
+  ];
+  const { check, names } = await solidOf({ storeys: [{ floor: 5, openings }], options: NO_SLABS });
+  expect(names).toEqual(['wall-0']);
+  expect(check.watertight).toBe(true);
+  const cut = 0.9 * 2 + 0.6 * 2.2 + 0.5 * 1.7 + 1 * 1.2;
+  expect(check.volume).toBeCloseTo((4.4 * 3.4 - 12) * 2.5 - cut * 0.2, 9);
+});
+
+test('an added structure stands in a door; the wall of the next room and openings off every wall are let alone', async () => {
+  const pilaster = secondary(rectangle(1.2, -0.2, 0.3, 0.6), 'add');
+  const next = wallAround(rectangle(0, -3.3, 4, 3), 0.1);
+  const plan = {
+    storeys: [
+      {
+        secondary: [pilaster],
+        walls: [
+          { outline: wallAround(ROOM, 0.1), thickness: 0.1, confidence: 1 },
+          { outline: next, thickness: 0.1, confidence: 1 },
+        ],
+        openings: [door([1, -0.05], [1.9, -0.05]), door([1, 1.5], [1.9, 1.5])],
+      },
+    ],
+    options: NO_SLABS,
+  };
+  const { check } = await solidOf(plan);
+  expect(check.watertight).toBe(true);
+  const walls = 2 * (4.2 * 3.2 - 12);
+  // The pilaster reaches through the wall up to the next, which it touches.
+  const pillar = 0.3 * 0.6 - 0.3 * 0.1;
+  expect(check.volume).toBeCloseTo((walls + pillar) * 2.5 - 0.6 * 0.1 * 2, 4);
 });
 
 test("the paper's engine makes the same volume with more triangles", async () => {

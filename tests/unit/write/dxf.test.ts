@@ -134,3 +134,19 @@ test('hostile names stay one line of ASCII', async () => {
   expect(text).toMatch(/^[\x0a\x20-\x7e]*$/);
   expect(tagsOf(text).filter(([code, value]) => code === 0 && value === 'SECTION')).toHaveLength(6);
 });
+
+test('openings are open lines from jamb to jamb on a layer of their own', async () => {
+  const openings = [
+    { type: 'door', from: [1, -0.1], to: [1.9, -0.1], sill: 0, head: 2, confidence: 1 } as const,
+  ];
+  const lines = polylinesOf(await written({ storeys: [{ openings }] }));
+  expect(lines.filter(({ layer }) => layer === 'A-OPENING')).toMatchObject([
+    {
+      isClosed: false,
+      places: [
+        [1, -0.1],
+        [1.9, -0.1],
+      ],
+    },
+  ]);
+});

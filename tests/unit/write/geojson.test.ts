@@ -34,7 +34,7 @@ const everything: Partial<Storey> = {
       confidence: 0.9,
     },
   ],
-  openings: [{ type: 'door', from: [1, 0], to: [1.9, 0], sill: 0, head: 2.1 }],
+  openings: [{ type: 'door', from: [1, 0], to: [1.9, 0], sill: 0, head: 2.1, confidence: 0.9 }],
 };
 
 test('every kind has the geometry and the properties of the contract', async () => {
@@ -44,7 +44,10 @@ test('every kind has the geometry and the properties of the contract', async () 
     ['Polygon', { kind: 'secondary-boundary', storey: 0, operation: 'add', type: 'column' }],
     ['Polygon', { kind: 'room', storey: 0, name: 'Küche "1"', areaM2: 12, heightM: 2.45, confidence: 0.9 }],
     ['Polygon', { kind: 'wall', storey: 0, thicknessM: 0.2, confidence: 1 }],
-    ['LineString', { kind: 'opening', storey: 0, type: 'door', widthM: 0.9, sillM: 0, headM: 2.1 }],
+    [
+      'LineString',
+      { kind: 'opening', storey: 0, type: 'door', widthM: 0.9, sillM: 0, headM: 2.1, confidence: 0.9 },
+    ],
   ]);
   expect(features.every(({ type }) => type === 'Feature')).toBe(true);
 });

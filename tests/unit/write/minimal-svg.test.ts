@@ -96,3 +96,12 @@ test('a storey without walls is an empty drawing', async () => {
   );
   expect(svg.childNodes).toEqual([]);
 });
+
+test('walls are cut a metre above the floor, so doors are open', async () => {
+  const openings = [
+    { type: 'door', from: [1, -0.1], to: [1.9, -0.1], sill: 0, head: 2, confidence: 1 } as const,
+  ];
+  const walls = extruded(writeMinimalSvg(await productOf({ storeys: [{ openings }] }), 0), 'walls');
+  expect(walls.check.volume).toBeCloseTo((4.4 * 3.4 - 12 - 0.9 * 0.2) * HEIGHT, 5);
+  expect(walls.check.openEdges).toBe(0);
+});

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import type { Ring } from '../../../src/core/types.ts';
 import { drawSheet } from '../../../src/write/draw-sheet.ts';
 import { frameFacts } from '../../../src/write/frame-json.ts';
-import { type LayerName, mapped, type Sheet, type SheetItem } from '../../../src/write/sheet.ts';
+import { inverse, type LayerName, mapped, type Sheet, type SheetItem } from '../../../src/write/sheet.ts';
 import { disc, planOf, rectangle, ring, wallAround } from '../solid/plans.ts';
 import { home, productOf } from './products.ts';
 
@@ -147,4 +147,38 @@ test('a storey without anything is still a sheet', async () => {
   const product = { ...(await productOf()), plan: planOf({ storeys: [{ primary: [], walls: [] }] }) };
   const sheet = drawSheet(product, 0);
   expect(sheet.planToSheet.every(Number.isFinite)).toBe(true);
+});
+
+test('a door interrupts the wall: both jambs and the leaf in thin lines, and the legend says what is not known', async () => {
+  const openings = [
+    { type: 'door', from: [1, -0.1], to: [1.9, -0.1], sill: 0, head: 2, confidence: 1 } as const,
+    { type: 'door', from: [1, 3.1], to: [2.5, 3.1], sill: 0, head: 2, confidence: 1 } as const,
+  ];
+  const gaps = [{ from: [0.9, 3], to: [2.6, 3], width: 1.7 } as const];
+  const sheet = drawSheet(await productOf({ storeys: [{ openings, gaps }] }), 0);
+  const walls = layer(sheet, 'walls');
+  expect(walls).toHaveLength(2);
+  const doors = layer(sheet, 'openings');
+  expect(doors.map((item) => item.kind === 'path' && item.data)).toEqual([
+    { kind: 'door', opening: 0, from: '1 -0.1', to: '1.9 -0.1' },
+    { kind: 'door', opening: 1, from: '1 3.1', to: '2.5 3.1' },
+  ]);
+  const back = inverse(sheet.planToSheet);
+  const [first] = doors.map((item) => (item.kind === 'path' ? item.lines : []));
+  const lines = first.map((line) =>
+    [...mapped(line, back)].map((value) => Math.round(value * 1e4) / 1e4 + 0),
+  );
+  expect(lines).toEqual([
+    [1, -0.2, 1, 0],
+    [1.9, -0.2, 1.9, 0],
+    [1, -0.1, 1.9, -0.1],
+  ]);
+  // What the door leaves of a bridged gap stays inferred, and says which gap it is of.
+  const left = layer(sheet, 'gaps').map((item) => item.kind === 'path' && item.data);
+  expect(left).toEqual([
+    { kind: 'gap', gap: 0, from: '0.9 3', to: '2.6 3' },
+    { kind: 'gap', gap: 0, from: '0.9 3', to: '2.6 3' },
+  ]);
+  expect(texts(layer(sheet, 'title'))).toContain('Door: hinge side unknown');
+  expect(texts(layer(drawSheet(await productOf(), 0), 'title'))).not.toContain('Door: hinge side unknown');
 });

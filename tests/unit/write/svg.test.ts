@@ -31,7 +31,7 @@ test('every layer is a group with an id, and points are off', async () => {
   const svg = drawn(await productOf(home()));
   const layers = svg.childNodes.filter(({ nodeName }) => nodeName === 'g');
   expect(layers.map((layer) => layer.getAttribute('id'))).toEqual([
-    ...['points', 'walls', 'secondary', 'gaps', 'dimensions', 'labels', 'title'],
+    ...['points', 'walls', 'secondary', 'gaps', 'openings', 'dimensions', 'labels', 'title'],
   ]);
   expect(layers[0].getAttribute('display')).toBe('none');
 });

@@ -1,0 +1,71 @@
+import { FloorPlanError } from './errors.ts';
+
+/** A door a person cuts by hand ([Stojanovic19] §3). */
+export interface DoorCut {
+  /** A place on or near the wall: plan frame, source units and source coordinates, as in slice.csv. */
+  readonly x: number;
+  readonly y: number;
+  /** Metres. */
+  readonly width: number;
+  /** Metres; {@link DOOR_HEIGHT} where none is given. */
+  readonly height?: number;
+}
+
+/** What the parameter `doors` says. */
+export interface Doors {
+  /** Every bridged gap as wide as a door or a double door becomes one. */
+  readonly gaps: boolean;
+  readonly cuts: readonly DoorCut[];
+}
+
+/** Clear height of a usual door, m. */
+export const DOOR_HEIGHT = 2;
+/** Nothing narrower or lower lets anyone through, nothing larger is one door, m. */
+const LEAST_SIZE = 0.1;
+const MOST_SIZE = 20;
+
+/**
+ * Reads `none`, or `gaps` and doors `x,y,width[,height]` in any order, separated by semicolons; the inverse of
+ * {@link formatDoors}.
+ *
+ * @throws option/invalid naming the entry
+ */
+export function parseDoors(text: string): Doors {
+  if (text.trim() === 'none') return { gaps: false, cuts: [] };
+  let gaps = false;
+  const cuts: DoorCut[] = [];
+  text.split(';').forEach((entry, i) => {
+    if (entry.trim() === 'gaps') gaps = true;
+    else cuts.push(parseCut(entry.trim(), i + 1));
+  });
+  return { gaps, cuts };
+}
+
+/** Writes what {@link parseDoors} reads: `none`, `gaps`, `gaps;3.2,0,0.9`. */
+export function formatDoors({ gaps, cuts }: Doors): string {
+  const entries = cuts.map(({ x, y, width, height }) =>
+    [x, y, width, ...(height === undefined ? [] : [height])].join(','),
+  );
+  if (gaps) entries.unshift('gaps');
+  return entries.length === 0 ? 'none' : entries.join(';');
+}
+
+function parseCut(entry: string, number: number): DoorCut {
+  const fields = entry.split(',').map((field) => (field.trim() === '' ? Number.NaN : Number(field)));
+  const [x, y, width, height] = fields;
+  const isComplete = fields.length === 3 || fields.length === 4;
+  const isSound = fields.every(Number.isFinite) && fields.slice(2).every(isSize);
+  if (!isComplete || !isSound) {
+    throw new FloorPlanError(
+      'option/invalid',
+      `doors: expected none, gaps or x,y,width[,height] with ${LEAST_SIZE} to ${MOST_SIZE} m as entry ${number}, found "${entry}"`,
+      {
+        hint: 'A door is x,y in source coordinates, width and height in metres: 3.2,0,0.9; several are joined by semicolons.',
+        detail: { option: 'doors', entry: number },
+      },
+    );
+  }
+  return height === undefined ? { x, y, width } : { x, y, width, height };
+}
+
+const isSize = (size: number): boolean => size >= LEAST_SIZE && size <= MOST_SIZE;

@@ -1,0 +1,43 @@
+import { type Doors, formatDoors, parseDoors } from '../core/doors.ts';
+import type { Field, FieldFacts } from './field.ts';
+import { make, setAttribute } from './make.ts';
+
+/** A box that makes every bridged gap a door, and the doors cut by hand as text. */
+export function doorsField({ id, row, change }: FieldFacts): Field {
+  const gaps = make('input', { type: 'checkbox', on: { change: () => read() } });
+  const cuts = make('input', {
+    type: 'text',
+    id,
+    placeholder: 'x,y,width; x,y,width,height',
+    spellcheck: 'false',
+    'aria-describedby': `${id}-hint`,
+    on: { change: () => read() },
+  });
+  const read = () => {
+    const text = cuts.value.trim();
+    const given = parsed(text === '' ? 'none' : text);
+    setAttribute(cuts, 'aria-invalid', given === null);
+    if (given !== null) change(formatDoors({ gaps: gaps.checked || given.gaps, cuts: given.cuts }), true);
+  };
+  const label = make('label', { class: 'auto' }, gaps, 'Cut all gaps');
+  const node = make('div', { class: 'doors-field', role: 'group', 'aria-label': row.label }, label, cuts);
+  return {
+    node,
+    set(value) {
+      const doors = parseDoors(String(value));
+      gaps.checked = doors.gaps;
+      // Text under the hand is not overwritten.
+      if (cuts.matches(':focus')) return;
+      cuts.removeAttribute('aria-invalid');
+      cuts.value = doors.cuts.length === 0 ? '' : formatDoors({ gaps: false, cuts: doors.cuts });
+    },
+  };
+}
+
+function parsed(text: string): Doors | null {
+  try {
+    return parseDoors(text);
+  } catch {
+    return null;
+  }
+}

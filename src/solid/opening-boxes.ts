@@ -1,0 +1,56 @@
+import type { Opening, Polygon, Storey } from '../core/types.ts';
+import { combine } from './planar.ts';
+
+/** What an opening takes out of a storey's walls: a box across the wall, from jamb to jamb. */
+export interface OpeningBox {
+  readonly base: Polygon;
+  /** Heights in the plan frame, m. */
+  readonly low: number;
+  readonly high: number;
+}
+
+/** Boxes stick out of the wall by this much, so that no cut is flush, m. */
+const MARGIN = 1e-3;
+/** Within an opening a curved wall leaves the straight axis by less, m. */
+const BULGE = 0.25;
+/** Half the width of the strip along the axis that must meet a wall for it to be the opening's own, m. */
+const AXIS = 1e-3;
+
+/** The boxes of a storey's openings; those off every wall have none. */
+export function openingBoxes({ floor, walls, openings }: Storey): OpeningBox[] {
+  const outlines = walls.map(({ outline }) => outline);
+  const reach = Math.max(0, ...walls.map(({ thickness }) => thickness)) / 2 + BULGE;
+  return openings.flatMap((opening) => {
+    const base = acrossWall(opening, outlines, reach);
+    return base === null ? [] : [{ base, low: floor + opening.sill, high: floor + opening.head }];
+  });
+}
+
+/** As deep as the wall on the axis is there, however it bends; walls beside it stay whole. */
+function acrossWall(opening: Opening, walls: readonly Polygon[], reach: number): Polygon | null {
+  const { from, to } = opening;
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+  if (length === 0) return null;
+  const [nx, ny] = [(from[1] - to[1]) / length, (to[0] - from[0]) / length];
+  const axis = [strip(opening, -AXIS, AXIS)];
+  let [low, high] = [Infinity, -Infinity];
+  for (const piece of combine('intersection', walls, [strip(opening, -reach, reach)])) {
+    if (combine('intersection', [piece], axis).length === 0) continue;
+    for (let i = 0; i < piece.outer.length; i += 2) {
+      const aside = (piece.outer[i] - from[0]) * nx + (piece.outer[i + 1] - from[1]) * ny;
+      [low, high] = [Math.min(low, aside), Math.max(high, aside)];
+    }
+  }
+  return low < high ? strip(opening, low - MARGIN, high + MARGIN) : null;
+}
+
+/** The rectangle along an opening between two distances to the left of its axis. */
+function strip({ from, to }: Opening, low: number, high: number): Polygon {
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+  const [nx, ny] = [(from[1] - to[1]) / length, (to[0] - from[0]) / length];
+  const outer = Float64Array.of(
+    ...[from[0] + low * nx, from[1] + low * ny, to[0] + low * nx, to[1] + low * ny],
+    ...[to[0] + high * nx, to[1] + high * ny, from[0] + high * nx, from[1] + high * ny],
+  );
+  return { outer, holes: [] };
+}
