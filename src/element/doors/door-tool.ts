@@ -15,7 +15,8 @@ interface Aim {
   readonly doors: string;
 }
 
-const RESTING = 'Press a wall or a dashed gap to cut a door, a door to take it away.';
+const WALLS = 'Press a wall to cut a door, a door to take it away.';
+const WALLS_AND_GAPS = 'Press a wall or a dashed gap to cut a door, a door to take it away.';
 
 /** Cuts doors in the drawing ([Stojanovic19] §3): a wall or a bridged gap gets one, a door goes. */
 export class DoorTool implements SheetTool {
@@ -58,7 +59,8 @@ export class DoorTool implements SheetTool {
 
   hover(place: SheetPlace | null): void {
     this.#aim = place && this.#aimAt(place);
-    this.bar.say(this.#aim?.words ?? RESTING);
+    const resting = this.#freeGaps().length > 0 ? WALLS_AND_GAPS : WALLS;
+    this.bar.say(this.#aim?.words ?? resting);
     this.#sheet?.mark(this.#marks());
   }
 
