@@ -236,9 +236,10 @@ function isNoise(cells: CellSums, verdicts: Uint8Array, slot: number): boolean {
   verdicts[slot] = KEPT;
   const { sums, box, table } = cells;
   const count = sums[3 * slot];
+  const at = table?.coordinatesOf(slot);
   for (let dr = -1; dr <= 1; dr++) {
     for (let dc = -1; dc <= 1; dc++) {
-      const other = table === null ? slot + dr * box.columns + dc : slotBeside(table, slot, dc, dr);
+      const other = table && at ? table.find(at[0] + dc, at[1] + dr, 0) : slot + dr * box.columns + dc;
       if (other < 0 || !(count < LEAST_SHARE * sums[3 * other])) continue;
       const dx = dc + placeIn(sums, other, 1) - placeIn(sums, slot, 1);
       const dy = dr + placeIn(sums, other, 2) - placeIn(sums, slot, 2);
@@ -249,12 +250,6 @@ function isNoise(cells: CellSums, verdicts: Uint8Array, slot: number): boolean {
     }
   }
   return false;
-}
-
-/** Slot of the cell so many columns and rows on from another; -1 when it is not occupied. */
-function slotBeside(table: CellTable, slot: number, columns: number, rows: number): number {
-  const [ix, iy] = table.coordinatesOf(slot);
-  return table.find(ix + columns, iy + rows, 0);
 }
 
 /** Column of a slot in the box. */

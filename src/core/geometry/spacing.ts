@@ -3,8 +3,8 @@ import { distinctPoints } from './point-order.ts';
 
 /** About as many points have their neighbour sought; the mean over more changes by less than 2 %. */
 const SAMPLE = 2_000;
-/** Points stand along walls, most of their box is empty: smaller cells than usual hold as many as a search likes. */
-const CELLS_PER_POINT = 16;
+/** Points stand along walls, most of their box is empty: cells smaller than usual hold as many as a search likes. */
+const CELLS_PER_POINT = 6;
 
 /**
  * Mean distance from a point to its nearest neighbour, repeats left out.
