@@ -1,5 +1,5 @@
 import { meanSpacing } from './geometry/spacing.ts';
-import { type CellSums, cellMeans, type LatticePoints, layLattice, sumCells } from './lattice-sample.ts';
+import { type CellSums, cellMeans, cellsCovered, type LatticePoints, sumCells } from './lattice-sample.ts';
 import type { Options } from './params.ts';
 import { createRandom } from './random.ts';
 import type { PointCloud, Slice } from './types.ts';
@@ -29,15 +29,16 @@ export function makeSlice(
   const points = { positions: cloud.positions, indices };
   const edge = Math.sqrt(SAMPLE_AREA / options.samplesPer50M2);
   const random = createRandom(options.seed);
-  const cells = sumCells(points, layLattice(points, edge, [random(), random()]));
+  const cells = sumCells(points, edge, [random(), random()]);
   const xy = cloud.isFlat && isSparse(cells, points, edge) ? seenFromAbove(points) : cellMeans(cells);
   return { xy, band, spacing: meanSpacing(xy) };
 }
 
-function isSparse({ lattice, occupied }: CellSums, { indices }: LatticePoints, wantedEdge: number): boolean {
-  const wanted = lattice.columns * lattice.rows * (lattice.edge / wantedEdge) ** 2;
-  const isCoarse = lattice.edge > wantedEdge;
-  return indices.length <= wanted && (isCoarse || indices.length <= FEW_A_CELL * occupied);
+function isSparse(cells: CellSums, { indices }: LatticePoints, wantedEdge: number): boolean {
+  const { edge } = cells.lattice;
+  const isCoarse = edge > wantedEdge;
+  if (!isCoarse && indices.length > FEW_A_CELL * cells.occupied.length) return false;
+  return indices.length <= cellsCovered(cells) * (edge / wantedEdge) ** 2;
 }
 
 function seenFromAbove({ positions, indices }: LatticePoints): Float64Array {

@@ -1,11 +1,11 @@
-import { orientation } from './predicates.ts';
-
 /** Fewer points are sorted out no faster than they are hulled. */
 const FEW = 64;
+/** A point this far left of an edge lies there beyond doubt, in squares of the extent: 1,000 times the rounding. */
+const SURE = 1e-12;
 
 /**
- * The points that may be vertices of the convex hull: all but those strictly inside the octagon of the points farthest
- * in eight directions [Akl78]. Exact: each edge of the octagon is asked with the robust predicate.
+ * Points among which are all vertices of the convex hull: those strictly inside the octagon of the points farthest in
+ * eight directions are left out [Akl78], doubtful ones kept.
  *
  * @param xy distinct points in lexicographic order
  * @returns their numbers, in order. O(n).
@@ -14,8 +14,9 @@ export function hullCandidates(xy: Float64Array): Uint32Array {
   const n = xy.length >> 1;
   const candidates = new Uint32Array(n);
   const octagon = n < FEW ? [] : extremes(xy);
+  const isInside = octagon.length < 3 ? () => false : insideTest(xy, octagon);
   let count = 0;
-  for (let i = 0; i < n; i++) if (!isInside(xy, octagon, i)) candidates[count++] = i;
+  for (let i = 0; i < n; i++) if (!isInside(xy[2 * i], xy[2 * i + 1])) candidates[count++] = i;
   return candidates.subarray(0, count);
 }
 
@@ -40,12 +41,22 @@ function extremes(xy: Float64Array): number[] {
   return [...found].filter((point, k) => point !== found[(k + 7) % 8]);
 }
 
-/** Whether a point lies strictly left of every edge of a ring of three points or more. */
-function isInside(xy: Float64Array, ring: readonly number[], i: number): boolean {
+/** Tells whether a point lies left of every edge of a ring, beyond doubt. */
+function insideTest(xy: Float64Array, ring: readonly number[]): (x: number, y: number) => boolean {
+  const edges = new Float64Array(4 * ring.length);
+  let extent = 0;
   for (let k = 0; k < ring.length; k++) {
     const a = 2 * ring[k];
-    const b = 2 * ring[k + 1 === ring.length ? 0 : k + 1];
-    if (orientation(xy[a], xy[a + 1], xy[b], xy[b + 1], xy[2 * i], xy[2 * i + 1]) <= 0) return false;
+    const b = 2 * ring[(k + 1) % ring.length];
+    edges.set([xy[a], xy[a + 1], xy[b] - xy[a], xy[b + 1] - xy[a + 1]], 4 * k);
+    extent += Math.abs(xy[b] - xy[a]) + Math.abs(xy[b + 1] - xy[a + 1]);
   }
-  return ring.length > 2;
+  const sure = SURE * extent * extent;
+  return (x, y) => {
+    for (let k = 0; k < edges.length; k += 4) {
+      const side = edges[k + 2] * (y - edges[k + 1]) - edges[k + 3] * (x - edges[k]);
+      if (!(side > sure)) return false;
+    }
+    return true;
+  };
 }

@@ -1,7 +1,7 @@
 import { boundsOf } from './rings.ts';
 
-/** Points per cell aimed at over the bounding box: cells stay fewer than points, so an empty box costs little. */
-const POINTS_PER_CELL = 0.5;
+/** Most cells a point over the bounding box: few enough that an empty box costs little. */
+const CELLS_PER_POINT = 2;
 
 /**
  * A uniform grid over points. Points are kept in cell order, row by row, so the points of neighbouring cells of a
@@ -28,12 +28,12 @@ export interface PointGrid {
  * Sorts points into a {@link PointGrid} by counting; within a cell the input order is kept.
  *
  * @param xy x, y a point; finite, at least one
- * @param cell wished cell edge; coarsened until cells are at most twice the points. O(n).
+ * @param cell wished cell edge; coarsened until there are at most about `cellsPerPoint` cells a point. O(n).
  */
-export function buildPointGrid(xy: Float64Array, cell = 0): PointGrid {
+export function buildPointGrid(xy: Float64Array, cell = 0, cellsPerPoint = CELLS_PER_POINT): PointGrid {
   const n = xy.length >> 1;
   const { minX, minY, maxX, maxY } = boundsOf(xy);
-  const edge = cellEdge(maxX - minX, maxY - minY, n, cell);
+  const edge = cellEdge(maxX - minX, maxY - minY, cellsPerPoint * n, cell);
   const columns = Math.floor((maxX - minX) / edge) + 1;
   const rows = Math.floor((maxY - minY) / edge) + 1;
   const start = new Uint32Array(columns * rows + 1);
@@ -58,57 +58,63 @@ export function buildPointGrid(xy: Float64Array, cell = 0): PointGrid {
   return { x, y, source, start, columns, rows, minX, minY, cell: edge };
 }
 
-/** The wished edge, or the smallest that keeps cells within twice the points; 1 for a box without extent. */
-function cellEdge(width: number, height: number, n: number, wished: number): number {
-  const byArea = Math.sqrt((width * height * POINTS_PER_CELL) / n);
-  const byLength = (Math.max(width, height) * POINTS_PER_CELL) / n;
+/** The wished edge, or the smallest that keeps within about so many cells; 1 for a box without extent. */
+function cellEdge(width: number, height: number, cells: number, wished: number): number {
+  const byArea = Math.sqrt((width * height) / cells);
+  const byLength = Math.max(width, height) / cells;
   return Math.max(wished, byArea, byLength) || 1;
 }
 
 /**
- * Squared distance from point `i` (cell order) to its nearest other point, by rings of cells growing around it.
+ * Squared distance from point `i` (cell order) to its nearest other point: blocks of cells around it are searched, each
+ * twice as wide, until none beyond can be nearer.
  *
- * The grid must be built from points sorted by x.
+ * The grid must be built from points sorted by x: then those of a row ascend in x.
  *
  * @returns infinity for a single point
  */
 export function squaredDistanceToNearest(grid: PointGrid, i: number): number {
-  const { x, y, columns, rows, cell } = grid;
-  const column = Math.floor((x[i] - grid.minX) / cell);
-  const row = Math.floor((y[i] - grid.minY) / cell);
-  const reach = Math.max(column, columns - 1 - column, row, rows - 1 - row);
-  let best = Number.POSITIVE_INFINITY;
-  for (let ring = 0; ring <= reach; ring++) {
-    // Cells of this ring lie at least ring - 1 edges away.
-    const bound = (ring - 1) * cell;
-    if (ring > 1 && bound * bound >= best) break;
-    for (let r = Math.max(0, row - ring); r <= Math.min(rows - 1, row + ring); r++) {
-      const isWhole = r === row - ring || r === row + ring;
-      const step = isWhole || ring === 0 ? 1 : 2 * ring;
-      for (let c = column - ring; c <= column + ring; c += step) {
-        if (c < 0 || c >= columns) continue;
-        best = Math.min(best, nearestInCell(grid, i, r * columns + c));
-      }
-    }
+  const { columns, rows, cell } = grid;
+  const column = Math.floor((grid.x[i] - grid.minX) / cell);
+  const row = Math.floor((grid.y[i] - grid.minY) / cell);
+  for (let reach = 1; ; reach *= 2) {
+    const best = nearestInBlock(grid, i, { column, row, reach });
+    const isWhole = reach >= columns && reach >= rows;
+    if (isWhole || best <= reach * cell * (reach * cell)) return best;
   }
-  return best;
 }
 
-/** Within a cell points ascend in x, so the scan ends where x alone is too far: one crowded cell costs little. */
-function nearestInCell({ x, y, start }: PointGrid, i: number, cell: number): number {
+interface Block {
+  readonly column: number;
+  readonly row: number;
+  /** Cells to either side. */
+  readonly reach: number;
+}
+
+/** Where x alone is too far the scan of a row ends: one crowded cell costs little. */
+function nearestInBlock({ x, y, start, columns, rows }: PointGrid, i: number, block: Block): number {
+  const first = Math.max(0, block.column - block.reach);
+  const last = Math.min(columns - 1, block.column + block.reach);
+  const top = Math.min(rows - 1, block.row + block.reach);
   let best = Number.POSITIVE_INFINITY;
-  const from = start[cell];
-  const to = start[cell + 1];
-  const isOwn = from <= i && i < to;
-  for (let k = isOwn ? i + 1 : from; k < to; k++) {
-    const squared = (x[k] - x[i]) ** 2 + (y[k] - y[i]) ** 2;
-    if (squared < best) best = squared;
-    else if (x[k] > x[i] && (x[k] - x[i]) ** 2 > best) break;
-  }
-  for (let k = i - 1; isOwn && k >= from; k--) {
-    const squared = (x[k] - x[i]) ** 2 + (y[k] - y[i]) ** 2;
-    if (squared < best) best = squared;
-    else if (x[k] < x[i] && (x[k] - x[i]) ** 2 > best) break;
+  for (let row = Math.max(0, block.row - block.reach); row <= top; row++) {
+    const from = start[row * columns + first];
+    const to = start[row * columns + last + 1];
+    const isOwn = row === block.row;
+    for (let k = isOwn ? i + 1 : from; k < to; k++) {
+      const dx = x[k] - x[i];
+      const dy = y[k] - y[i];
+      const squared = dx * dx + dy * dy;
+      if (squared < best) best = squared;
+      else if (dx > 0 && dx * dx > best) break;
+    }
+    for (let k = i - 1; isOwn && k >= from; k--) {
+      const dx = x[k] - x[i];
+      const dy = y[k] - y[i];
+      const squared = dx * dx + dy * dy;
+      if (squared < best) best = squared;
+      else if (dx < 0 && dx * dx > best) break;
+    }
   }
   return best;
 }

@@ -29,11 +29,11 @@ test('a cell with one point keeps it, a cell with several their mean, to an eigh
 
 test('the few points beside a dense wall are its noise, as few points elsewhere are not', () => {
   const wall = Array.from({ length: 3000 }, (_, k) => [(k % 100) / 25, 0, 1]).flat();
-  const beside = [1.02, 0.1, 1];
-  const apart = [1.02, 0.5, 1];
-  const { xy } = run([...wall, ...beside, ...apart], { samplesPer50M2: 5000 });
-  const heights = new Set([...xy].filter((_, i) => i % 2 === 1).map((y) => Math.round(10 * y) / 10));
-  expect(heights).toEqual(new Set([0, 0.5]));
+  const beside = [1.02, 0.05, 1];
+  const apart = [1.02, 0.09, 1];
+  const { xy } = run([...wall, ...beside, ...apart]);
+  const heights = new Set([...xy].filter((_, i) => i % 2 === 1).map((y) => Math.round(100 * y) / 100));
+  expect(heights).toEqual(new Set([0, 0.09]));
 });
 
 test('far points are told apart in a table as near ones in a box', () => {
@@ -48,6 +48,32 @@ test('far points are told apart in a table as near ones in a box', () => {
 
 test('does not depend on the order of the points', () => {
   expect(run(shuffled(ROOM, 3, createRandom(2)))).toEqual(run(ROOM));
+});
+
+test.each([20, 60])('nor on whether a point %d m out is seen at once', (out) => {
+  const near = [...ROOM.slice(0, 30_000)];
+  const expected = run([out, out, 1, ...near]);
+  // Every second point is looked at before a box is laid.
+  expect(run([...near.slice(0, 3), out, out, 1, ...near.slice(3)])).toEqual(expected);
+  for (const seed of [1, 2, 3]) {
+    expect(run(shuffled([...near, out, out, 1], 3, createRandom(seed)))).toEqual(expected);
+  }
+});
+
+test('cells hang on the plan, not on the points: whole cells on, the same points stay', () => {
+  // Cells of 1/16 m and coordinates in 1/1024 m: nothing is rounded.
+  const points = ROOM.map((value) => Math.round(1024 * value) / 1024);
+  const moved = run(
+    points.map((value, i) => value + [6, -3, 0][i % 3]),
+    { samplesPer50M2: 12_800 },
+  ).xy;
+  const { xy } = run(points, { samplesPer50M2: 12_800 });
+  for (const axis of [0, 1]) {
+    const along = (values: Float64Array) => values.filter((_, i) => i % 2 === axis).sort();
+    const [before, after] = [along(xy), along(moved)];
+    expect(after.length).toBe(before.length);
+    for (let k = 0; k < before.length; k++) expect(after[k] - before[k]).toBeCloseTo([6, -3][axis], 9);
+  }
 });
 
 test('another seed shifts the lattice', () => {
