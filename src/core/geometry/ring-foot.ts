@@ -62,7 +62,7 @@ export function directionAt(
  * @param stands how far walls stand to the left and right of the ring, m
  * @param way 1 along the ring, −1 against it
  * @param limit no more is asked, m
- * @returns metres along the direction, at most `limit`
+ * @returns metres along the direction, at most `limit`; negative where the foot itself lies in the wall behind a corner
  */
 export function straightReach(
   ring: Ring,
@@ -87,19 +87,17 @@ export function straightReach(
     if (length > ask.bulge && run < STRAIGHT_ON * length) {
       const isLeft = drift > 0 === (ask.way === 1);
       const mitre = Math.tan(Math.acos(Math.max(-1, run / length)) / 2);
-      return clamp(reached - mitre * (isLeft ? ask.stands.left : ask.stands.right), ask.limit);
+      return Math.min(ask.limit, reached - mitre * (isLeft ? ask.stands.left : ask.stands.right));
     }
     if (Math.abs(aside) > ask.bulge) {
       const share = (Math.sign(aside) * ask.bulge - fromAside) / drift;
-      return clamp(reached + share * run, ask.limit);
+      return Math.min(ask.limit, reached + share * run);
     }
     [reached, fromAside] = [ahead, aside];
     vertex = (vertex + 2 * ask.way + ring.length) % ring.length;
   }
-  return clamp(reached, ask.limit);
+  return Math.min(ask.limit, reached);
 }
-
-const clamp = (reach: number, limit: number): number => Math.min(limit, Math.max(0, reach));
 
 /** Cosine of 30°: a sharper turn is a corner. */
 const STRAIGHT_ON = Math.cos(Math.PI / 6);

@@ -145,6 +145,9 @@ test('a door does not reach into the wall behind a corner', () => {
   const ell = ring(0, 0, 6, 0, 6, 2, 3, 2, 3, 4, 0, 4);
   const jutting = place({ doors: '3.2,2,0.8', rings: [ell] });
   expect(jutting.openings.map(rounded)).toEqual([[3.6, 2.1, 3.2, 2.1]]);
+  // Nor where its place lies in that wall.
+  const within = place({ doors: '3.15,2.1,0.8', rings: [ell] });
+  expect(within.openings.map(rounded)).toEqual([[3.55, 2.1, 3.2, 2.1]]);
 });
 
 test('a wall too short for any door takes none', () => {
