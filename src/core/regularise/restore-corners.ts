@@ -44,15 +44,16 @@ const MOST_ROUNDS = 4;
  *
  * @param rings simplified
  * @param hulls the rings they were simplified from: no point that an edge stands for lies outside its stretch of hull
+ * @param bandwidth points nearer across are not told apart, m; give it where the noise is known
  * @returns rings as valid as those given: where a moved vertex would make edges cross it stays. O(points).
  */
 export function restoreCorners(
   rings: readonly Ring[],
   hulls: readonly Ring[],
-  { xy, spacing }: Slice,
+  { xy, spacing }: Pick<Slice, 'xy' | 'spacing'>,
+  bandwidth = Math.max(LEAST_BANDWIDTH, BANDWIDTH_SPACINGS * spacing),
 ): readonly Ring[] {
   if (xy.length === 0) return rings;
-  const bandwidth = Math.max(LEAST_BANDWIDTH, BANDWIDTH_SPACINGS * spacing);
   const points = new StripPoints(buildPointGrid(distinctPoints(xy), bandwidth));
   const drafts = rings.map((ring, r) => new Refining(ring, hulls[r], points, bandwidth).draft());
   return settleRings(rings, drafts);

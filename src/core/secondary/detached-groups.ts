@@ -2,19 +2,19 @@ import type { StageContext } from '../context.ts';
 import { centroid, perimeter, pointInPolygon, signedArea } from '../geometry/rings.ts';
 import type { Options } from '../params.ts';
 import type { Polygon, Ring, Slice } from '../types.ts';
+import { facingShare } from './facing-share.ts';
 import { isFilled } from './filled.ts';
-import { cutGroup, groupOffWalls, type OffWallGroup, withSharedPoints } from './off-wall-groups.ts';
+import { cutGroup, groupOffWalls, type OffWallGroup } from './off-wall-groups.ts';
 import { outlineStructure, type StructureOutline } from './outline-structure.ts';
 import { pointsOf } from './point-groups.ts';
-import { facingShare, seenShare } from './seen-sides.ts';
 import { type FoundStructure, type StructureSearch, typeOf } from './structure.ts';
 import { findWallFaces, type WallFaces } from './wall-faces.ts';
 
 /** Smaller groups are no structure. */
 const FEWEST_POINTS = 8;
-/** Thinner things are posts, poles and noise: area by half the perimeter, m. */
+/** Thinner things are posts and poles, as what is thinner than the reach of a face is noise: area by half the perimeter, m. */
 const LEAST_WIDTH = 0.05;
-/** Points of a face lie no further apart than this many mean spacings, taken over the whole outline: else they are strays. */
+/** Points of faces lie no further apart than this many mean spacings, taken over the whole outline: else they are strays. */
 const LARGEST_GAP_SPACINGS = 4;
 /** Below a 20 cm square: at a wall the end of a partition, 10 to 15 cm thick; in a room seldom a column. */
 const LEAST_CERTAIN_WIDTH = 0.1;
@@ -23,9 +23,7 @@ const LEAST_CERTAIN_WIDTH = 0.1;
  * to 6).
  */
 const WALL_COMPACTNESS = 0.03;
-/** What touches a wall stands free of it when points show this share of its outline … */
-const SEEN_SHARE = 0.8;
-/** … and this share of the side that faces the wall. */
+/** What touches a wall stands free of it when points show this share of the side that faces the wall. */
 const FACING_SHARE = 0.6;
 
 /** What candidates are judged by. */
@@ -40,6 +38,7 @@ interface Surroundings {
 interface Candidate extends FoundStructure, Pick<StructureOutline, 'completion'> {
   readonly group: OffWallGroup;
   readonly isFilled: boolean;
+  readonly isSparse: boolean;
 }
 
 /**
@@ -47,8 +46,8 @@ interface Candidate extends FoundStructure, Pick<StructureOutline, 'completion'>
  *
  * Ours: neither clusters nor stroke. Points that the walls' faces explain go; what is left hangs together in groups.
  * A group that comes near a wall is a structure when points show its side facing the wall: what grows out of the wall
- * has none there. `secondaryCount` says how many are wanted: those clear of the walls first, then the largest,
- * free-standing pieces of wall last; `auto` takes those that are certain. O(n) but for the outlines.
+ * has none there. What only points beside the wall tie to it is cut free first. `secondaryCount` says how many are wanted: those clear of the walls first, then the largest,
+ * strays and free-standing pieces of wall last; `auto` takes those that are certain. O(n) but for the outlines.
  *
  * @returns clusters: 0 for walls and what was not taken, 1 … for the structures in order
  */
@@ -85,25 +84,14 @@ function candidatesOf(group: OffWallGroup, surroundings: Surroundings): Candidat
 }
 
 function candidateOf(group: OffWallGroup, surroundings: Surroundings): Candidate | null {
-  const candidate = judge(group, surroundings);
-  if (!candidate || group.place !== 'touching') return candidate;
-  const { slice, faces } = surroundings;
-  const members = withSharedPoints(group.members, candidate.outline, slice, faces);
-  return judge({ members, place: 'touching' }, surroundings) ?? candidate;
-}
-
-function judge(group: OffWallGroup, surroundings: Surroundings): Candidate | null {
   const { slice, primary, faces, options, context } = surroundings;
   if (group.members.length < FEWEST_POINTS) return null;
   const points = pointsOf(slice.xy, group.members);
-  const found = outlineStructure(points, faces.noise, options, context);
-  if (!found || widthOf(found.outline) < Math.max(LEAST_WIDTH, faces.reach) || !isWithin(found.outline, primary)) return null;
+  const found = outlineStructure({ ...slice, xy: points }, faces.noise, options, context);
+  if (!found || !isWithin(found.outline, primary)) return null;
   const { outline, completion } = found;
-  if (perimeter(outline) > LARGEST_GAP_SPACINGS * slice.spacing * group.members.length) return null;
-  if (group.place !== 'clear') {
-    if (completion !== 'none' || isWallPiece(outline) || widthOf(outline) < LEAST_CERTAIN_WIDTH) return null;
-    if (seenShare(outline, points, faces) < SEEN_SHARE) return null;
-  }
+  if (widthOf(outline) < Math.max(LEAST_WIDTH, faces.reach)) return null;
+  if (group.place !== 'clear' && (completion !== 'none' || isThin(outline))) return null;
   if (group.place === 'touching' && facingShare(outline, points, faces) < FACING_SHARE) return null;
   const type = typeOf(outline, points);
   return {
@@ -113,6 +101,7 @@ function judge(group: OffWallGroup, surroundings: Surroundings): Candidate | nul
     type,
     points: group.members.length,
     isFilled: isFilled(outline, points),
+    isSparse: perimeter(outline) > LARGEST_GAP_SPACINGS * slice.spacing * group.members.length,
   };
 }
 
@@ -126,19 +115,30 @@ function widthOf(outline: Ring): number {
 }
 
 /**
- * Faces around a hollow: no pole, no piece of wall, nothing filled with points, which may be furniture, and no side
- * made up but of a column: larger things open to one side are partitions.
+ * Faces around a hollow: no pole, no piece of wall, no strays, nothing filled with points, which may be furniture, and no
+ * side made up but of a column: larger things open to one side are partitions.
  */
-function isCertain({ outline, completion, type, isFilled }: Candidate): boolean {
-  if (isWallPiece(outline) || isFilled || widthOf(outline) < LEAST_CERTAIN_WIDTH) return false;
+function isCertain({ outline, completion, type, isFilled, isSparse }: Candidate): boolean {
+  if (isThin(outline) || isFilled || isSparse) return false;
   return completion === 'none' || (completion === 'shape' && type === 'column');
 }
 
-/** Structures before pieces of wall, clear of the walls before touching, then by area; of equals the one further left. */
+/**
+ * Structures before pieces of wall, faces before strays, clear of the walls before touching, then by area; of equals the one
+ * further left.
+ */
 function byLikelihood(a: Candidate, b: Candidate): number {
   const pieces = Number(isWallPiece(a.outline)) - Number(isWallPiece(b.outline));
+  const strays = Number(a.isSparse) - Number(b.isSparse);
   const atWall = Number(a.group.place !== 'clear') - Number(b.group.place !== 'clear');
-  return pieces || atWall || signedArea(b.outline) - signedArea(a.outline) || a.outline[0] - b.outline[0];
+  return (
+    pieces || strays || atWall || signedArea(b.outline) - signedArea(a.outline) || a.outline[0] - b.outline[0]
+  );
+}
+
+/** Whether it may be a piece of a wall. */
+function isThin(outline: Ring): boolean {
+  return isWallPiece(outline) || widthOf(outline) < LEAST_CERTAIN_WIDTH;
 }
 
 function isWallPiece(outline: Ring): boolean {

@@ -1,7 +1,5 @@
-import { boundsOf, pointInRing } from '../geometry/rings.ts';
-import type { Ring, Slice } from '../types.ts';
-import { groupPoints, pointsOf } from './point-groups.ts';
-import { distanceToRing } from './structure.ts';
+import type { Slice } from '../types.ts';
+import { groupPoints } from './point-groups.ts';
 import type { WallFaces } from './wall-faces.ts';
 
 /** Cells are this many mean spacings wide: points one to two cells apart hang together. */
@@ -28,11 +26,11 @@ export function groupOffWalls({ xy, spacing }: Slice, faces: WallFaces): OffWall
   const cell = CELL_SPACINGS * spacing;
   const groups: OffWallGroup[] = [];
   const clear: number[] = [];
-  for (const members of partition(xy, off, cell)) {
+  for (const members of groupPoints(xy, off, cell)) {
     if (touches(members, xy, spacing, faces)) groups.push({ members, place: 'touching' });
     else for (const i of members) clear.push(i);
   }
-  for (const members of partition(xy, Uint32Array.from(clear), STRUCTURE_CELLS * cell)) {
+  for (const members of groupPoints(xy, Uint32Array.from(clear), STRUCTURE_CELLS * cell)) {
     groups.push({ members, place: 'clear' });
   }
   return groups;
@@ -47,12 +45,12 @@ export function cutGroup(
   { xy, spacing }: Slice,
   faces: WallFaces,
 ): OffWallGroup[] {
-  const parts = partition(xy, members, (CELL_SPACINGS / FINER_CELLS) * spacing);
+  const parts = groupPoints(xy, members, (CELL_SPACINGS / FINER_CELLS) * spacing);
   const partOf = new Map<number, Uint32Array>();
   for (const part of parts) for (const i of part) partOf.set(i, part);
   const off = members.filter((i) => !isNearWall(i, xy, spacing, faces));
   const tied = new Set<Uint32Array>();
-  for (const together of partition(xy, off, CELL_SPACINGS * spacing)) {
+  for (const together of groupPoints(xy, off, CELL_SPACINGS * spacing)) {
     const joined = new Set(Array.from(together, (i) => partOf.get(i)!));
     if (joined.size > 1) for (const part of joined) tied.add(part);
   }
@@ -61,42 +59,10 @@ export function cutGroup(
     .map((part) => ({ members: part, place: touches(part, xy, spacing, faces) ? 'touching' : 'cut' }));
 }
 
-/**
- * The points of a structure beside a wall, with those near its outline that may be of either: half as far from the
- * wall's face as its points reach there are hardly any of the wall's.
- */
-export function withSharedPoints(
-  members: Uint32Array,
-  outline: Ring,
-  { xy }: Slice,
-  faces: WallFaces,
-): Uint32Array {
-  const isMember = new Uint8Array(xy.length / 2);
-  for (const i of members) isMember[i] = 1;
-  const { minX, minY, maxX, maxY } = boundsOf(outline);
-  const { reach } = faces;
-  return Uint32Array.from(isMember.keys()).filter((i) => {
-    if (isMember[i] === 1) return true;
-    const [x, y] = [xy[2 * i], xy[2 * i + 1]];
-    if (x < minX - reach || x > maxX + reach || y < minY - reach || y > maxY + reach) return false;
-    const height = faces.heightAt(x, y);
-    if (height <= reach / 2 || height > reach) return false;
-    return pointInRing(x, y, outline) > 0 || distanceToRing(x, y, outline) <= reach;
-  });
-}
-
 function touches(members: Uint32Array, xy: Float64Array, spacing: number, faces: WallFaces): boolean {
   return members.some((i) => isNearWall(i, xy, spacing, faces));
 }
 
 function isNearWall(i: number, xy: Float64Array, spacing: number, { reach, heightAt }: WallFaces): boolean {
   return heightAt(xy[2 * i], xy[2 * i + 1]) <= reach + TOUCH_SPACINGS * spacing;
-}
-
-/** The points numbered, parted into what hangs together. */
-function partition(xy: Float64Array, numbers: Uint32Array, cell: number): Uint32Array[] {
-  const { start, members } = groupPoints(pointsOf(xy, numbers), cell);
-  return Array.from({ length: start.length - 1 }, (_, group) =>
-    members.subarray(start[group], start[group + 1]).map((k) => numbers[k]),
-  );
 }

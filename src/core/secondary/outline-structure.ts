@@ -2,10 +2,10 @@ import type { StageContext } from '../context.ts';
 import { convexHull } from '../geometry/convex-hull.ts';
 import { signedArea } from '../geometry/rings.ts';
 import type { Options } from '../params.ts';
+import { restoreCorners } from '../regularise/restore-corners.ts';
 import { simplifyRing } from '../regularise/simplify-ring.ts';
-import type { Ring } from '../types.ts';
+import type { Ring, Slice } from '../types.ts';
 import { completeShell } from './complete-shell.ts';
-import { fitSides } from './fit-sides.ts';
 import { concaveRing } from './outline-points.ts';
 
 /**
@@ -31,16 +31,17 @@ export interface StructureOutline {
  *
  * `secondaryEpsilon` is the tolerance of the sides, unless the structure is too small for it.
  *
- * @param xy x, y a point, m
+ * @param points of the structure; spacing of the slice
  * @param noise standard deviation of points across a face, m
  * @returns null when the points enclose no area
  */
 export function outlineStructure(
-  xy: Float64Array,
+  points: Pick<Slice, 'xy' | 'spacing'>,
   noise: number,
   options: Options,
   context: StageContext,
 ): StructureOutline | null {
+  const { xy } = points;
   // The primary boundary's opening length, if a person set one, fits rooms.
   const concave = concaveRing(xy, { ...options, openingLength: 'auto' }, context);
   if (!concave) return null;
@@ -50,10 +51,8 @@ export function outlineStructure(
   if (isOpen && whole) return { outline: whole, completion: 'shape' };
   const loose = Math.max(LOOSENESS_DEVIATIONS * noise, LOOSENESS * Math.sqrt(signedArea(hull)));
   const epsilon = Math.min(options.secondaryEpsilon, loose);
-  const sides = simplifyRing(isOpen ? hull : concave, {
-    epsilon,
-    areaEpsilon: 0,
-    passes: ['douglas-peucker'],
-  });
-  return { outline: fitSides(sides, xy, noise), completion: isOpen ? 'hull' : 'none' };
+  const outer = isOpen ? hull : concave;
+  const sides = simplifyRing(outer, { epsilon, areaEpsilon: 0, passes: ['douglas-peucker'] });
+  const [outline] = restoreCorners([sides], [outer], points, noise);
+  return { outline, completion: isOpen ? 'hull' : 'none' };
 }

@@ -1,33 +1,29 @@
 import { CellTable } from '../cell-table.ts';
 import { joinTouchingCells } from '../touching-cells.ts';
 
-/** Points in the order of their groups. */
-export interface PointGroups {
-  /** Group of each point. */
-  readonly groupOf: Uint32Array;
-  /** First place of each group in `members`; one entry more than groups. */
-  readonly start: Uint32Array;
-  /** Numbers of the points, group after group. */
-  readonly members: Uint32Array;
-}
-
-/** Parts points into groups: those in touching cells hang together. O(points). */
-export function groupPoints(xy: Float64Array, cell: number): PointGroups {
+/**
+ * Parts points into groups: those in touching cells hang together. O(points).
+ *
+ * @param xy x, y a point, m
+ * @param numbers of the points that count
+ * @param cell edge, m
+ * @returns numbers of the points of each group
+ */
+export function groupPoints(xy: Float64Array, numbers: Uint32Array, cell: number): Uint32Array[] {
   const table = new CellTable();
-  const cellOf = new Uint32Array(xy.length / 2);
-  for (let i = 0; i < cellOf.length; i++) {
-    cellOf[i] = table.add(Math.floor(xy[2 * i] / cell), Math.floor(xy[2 * i + 1] / cell), 0);
-  }
+  const cellOf = numbers.map((i) =>
+    table.add(Math.floor(xy[2 * i] / cell), Math.floor(xy[2 * i + 1] / cell), 0),
+  );
   const component = joinTouchingCells(table);
-  const groupOf = cellOf.map((at) => component[at]);
-  const groups = groupOf.reduce((most, group) => Math.max(most, group + 1), 0);
-  const start = new Uint32Array(groups + 1);
-  for (const group of groupOf) start[group + 1]++;
-  for (let group = 0; group < groups; group++) start[group + 1] += start[group];
-  const next = start.slice();
-  const members = new Uint32Array(groupOf.length);
-  for (let i = 0; i < groupOf.length; i++) members[next[groupOf[i]]++] = i;
-  return { groupOf, start, members };
+  const sizes = new Uint32Array(component.reduce((most, group) => Math.max(most, group + 1), 0));
+  for (const at of cellOf) sizes[component[at]]++;
+  const groups = Array.from(sizes, (size) => new Uint32Array(size));
+  sizes.fill(0);
+  numbers.forEach((i, k) => {
+    const group = component[cellOf[k]];
+    groups[group][sizes[group]++] = i;
+  });
+  return groups;
 }
 
 /** The points numbered, x, y each. */

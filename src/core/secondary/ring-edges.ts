@@ -1,4 +1,4 @@
-import type { Polygon, Ring } from '../types.ts';
+import type { Ring } from '../types.ts';
 
 /** Edges of rings in one flat list; a place on them is an edge, the way along it and the distance to its left. */
 export class RingEdges {
@@ -17,8 +17,7 @@ export class RingEdges {
   readonly #dx: Float64Array;
   readonly #dy: Float64Array;
 
-  constructor(polygons: readonly Polygon[]) {
-    const rings: Ring[] = polygons.flatMap(({ outer, holes }) => [outer, ...holes]);
+  constructor(rings: readonly Ring[]) {
     this.count = rings.reduce((sum, ring) => sum + ring.length / 2, 0);
     const empty = () => new Float64Array(this.count);
     [this.length, this.before, this.#x, this.#y, this.#dx, this.#dy] = Array.from({ length: 6 }, empty);

@@ -16,7 +16,7 @@ import { createRandom, type Random } from '../../../src/core/random.ts';
 import { regulariseBoundary } from '../../../src/core/regularise.ts';
 import { averageDistance } from '../../../src/core/secondary/average-distance.ts';
 import { completeShell } from '../../../src/core/secondary/complete-shell.ts';
-import { fitSides } from '../../../src/core/secondary/fit-sides.ts';
+import { groupPoints } from '../../../src/core/secondary/point-groups.ts';
 import { pointsInStroke } from '../../../src/core/secondary/points-in-stroke.ts';
 import { proposeCount } from '../../../src/core/secondary/propose-count.ts';
 import { findWallFaces } from '../../../src/core/secondary/wall-faces.ts';
@@ -188,8 +188,59 @@ describe('robust', () => {
     }
   });
 
+  test('a partition that stops and goes on is no structure in any of its pieces', () => {
+    const random = createRandom(6);
+    const walls = outlinePoints(rectangle(0, 0, 8, 5), { count: 1300, noise: 0.01, random });
+    const pieces = [0.02, 0.9, 1.8, 3.1].flatMap((y) =>
+      outlinePoints(rectangle(3, y, 0.24, 0.8), { count: 100, noise: 0.01, random }),
+    );
+    // Beyond the opening that ends at 3.1 m the wall leads on to the other side.
+    const end = outlinePoints(rectangle(3, 3.95, 0.24, 1.05), { count: 130, noise: 0.01, random });
+    const xy = Float64Array.from([...walls, ...pieces, ...end]);
+    expect(run(xy, { secondaryCount: 'auto' }).boundaries).toEqual([]);
+  });
+
+  test('two faces belong together when a few points show the side between them', () => {
+    const random = createRandom(9);
+    const [left, right] = [3, 3.7].map((x) =>
+      Array.from({ length: 60 }, (_, k) => [x + 0.01 * random(), 2 + (0.7 * k) / 60]).flat(),
+    );
+    const between = [3.14, 2, 3.31, 2, 3.45, 2, 3.58, 2];
+    const xy = Float64Array.from([...room(), ...left, ...right, ...between]);
+    const { boundaries } = run(xy, { secondaryCount: 'auto' });
+    expect(boundaries.map(({ type }) => type)).toEqual(['column']);
+    expect(polygonArea(boundaries[0].outline)).toBeCloseTo(0.49, 1);
+  });
+
+  test('strays on a square are none, however square', () => {
+    const strays = outlinePoints(rectangle(3, 2, 0.6, 0.6), { count: 8, noise: 0, random: createRandom(1) });
+    const xy = Float64Array.from([...room(), ...strays]);
+    expect(run(xy, { secondaryCount: 'auto' }).boundaries).toEqual([]);
+  });
+
+  test('what is thinner than the noise of the walls is none', () => {
+    const random = createRandom(5);
+    const walls = outlinePoints(rectangle(0, 0, 8, 5), { count: 2500, noise: 0.5, random });
+    const small = outlinePoints(rectangle(4, 2, 0.3, 0.3), { count: 60, noise: 0, random });
+    const xy = Float64Array.from([...walls, ...small]);
+    expect(run(xy, { secondaryCount: 1 }).boundaries).toEqual([]);
+    const clean = Float64Array.from([...room(), ...small]);
+    expect(run(clean, { secondaryCount: 1 }).boundaries.length).toBe(1);
+  });
+
+  test('a drawn slice without any noise keeps the exact outline', () => {
+    const random = createRandom(1);
+    const walls = outlinePoints(rectangle(0, 0, 8, 5), { count: 900, noise: 0, random });
+    const square = outlinePoints(rectangle(3, 2, 0.6, 0.6), { count: 120, noise: 0, random });
+    const { boundaries } = run(Float64Array.from([...walls, ...square]), { secondaryCount: 'auto' });
+    expect(boundaries.length).toBe(1);
+    expect(polygonArea(boundaries[0].outline)).toBeCloseTo(0.36, 6);
+  });
+
   test('what would cover the plan is left out, and said', () => {
-    const { boundaries, codes } = run(room(rectangle(0.5, 0.5, 7, 4)), { secondaryCount: 'auto' });
+    const noisy = { count: 900, noise: 0.01, random: createRandom(2) };
+    const xy = Float64Array.from([...room(), ...outlinePoints(rectangle(0.5, 0.5, 7, 4), noisy)]);
+    const { boundaries, codes } = run(xy, { secondaryCount: 'auto' });
     expect(boundaries).toEqual([]);
     expect(codes).toEqual(['secondary/covers-plan', 'secondary/fewer-found']);
   });
@@ -369,6 +420,17 @@ describe('proposeCount', () => {
   });
 });
 
+describe('groupPoints', () => {
+  test('parts the points that count, each into one group', () => {
+    const xy = Float64Array.of(0, 0, 10, 0, 0.5, 0.5, 5, 5, 10.4, 0.2, 1.2, 1.1);
+    const groups = groupPoints(xy, Uint32Array.of(0, 1, 2, 4, 5), 1);
+    expect(groups.map((group) => [...group])).toEqual([
+      [0, 2, 5],
+      [1, 4],
+    ]);
+  });
+});
+
 describe('findWallFaces', () => {
   test.each([0.005, 0.012, 0.03])('tells a noise of %s m, dense or sparse', (noise) => {
     for (const points of [300, 3000]) {
@@ -382,27 +444,6 @@ describe('findWallFaces', () => {
       expect(Math.abs(faces.heightAt(1.6, 2.4) - 1)).toBeLessThan(noise);
       expect(faces.heightAt(0.4, 2.4)).toBeLessThan(0);
     }
-  });
-});
-
-describe('fitSides', () => {
-  test('moves sides from the outermost points to the middle of the face', () => {
-    const random = seededRandom(5);
-    const design = {
-      points: 2000,
-      primary: [
-        [0, 0],
-        [100, 0],
-        [100, 80],
-        [0, 80],
-      ] as const,
-    };
-    const { xy } = drawSlice(design, random, 2);
-    const ring = fitSides(Float64Array.of(-5, -5, 105, -5, 105, 85, -5, 85), xy, 2);
-    expectValidRing(ring);
-    [0, 0, 100, 0, 100, 80, 0, 80].forEach((value, i) => {
-      expect(Math.abs(ring[i] - value)).toBeLessThan(0.5);
-    });
   });
 });
 

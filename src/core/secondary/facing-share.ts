@@ -21,7 +21,7 @@ const PLACES = 256;
  * @returns 0 where the side is too short to tell. O(points · vertices).
  */
 export function facingShare(outline: Ring, xy: Float64Array, faces: WallFaces): number {
-  const edges = new RingEdges([{ outer: outline, holes: [] }]);
+  const edges = new RingEdges([outline]);
   const length = perimeter(outline);
   const step = length / PLACES;
   const { isSeen, gap } = seenPlaces(edges, xy, length, faces.reach);
@@ -32,13 +32,6 @@ export function facingShare(outline: Ring, xy: Float64Array, faces: WallFaces): 
   let seen = 0;
   for (let k = from + ends; k <= to - ends; k++) seen += isSeen[(k + PLACES) % PLACES];
   return seen / Math.max(1, to - from - 2 * ends + 1);
-}
-
-/** Share of an outline along which points were seen. */
-export function seenShare(outline: Ring, xy: Float64Array, { reach }: WallFaces): number {
-  const edges = new RingEdges([{ outer: outline, holes: [] }]);
-  const { isSeen } = seenPlaces(edges, xy, perimeter(outline), reach);
-  return isSeen.reduce((sum, seen) => sum + seen, 0) / PLACES;
 }
 
 /** Which of the places along an outline have points near, and the mean way between points along it. */
