@@ -48,15 +48,20 @@ const methods: Record<string, (xy: Float32Array, length: number) => () => Made> 
 const [name, path, length] = process.argv.slice(2);
 const run = methods[name](await readWallSlice(path), Number(length));
 const times: number[] = [];
+let cpuMs = Number.POSITIVE_INFINITY;
 let made: Made;
 do {
+  const used = process.cpuUsage();
   const start = performance.now();
   made = run();
   times.push(performance.now() - start);
+  const { user, system } = process.cpuUsage(used);
+  cpuMs = Math.min(cpuMs, (user + system) / 1000);
 } while (times.length < RUNS && times.reduce((sum, ms) => sum + ms, 0) < ENOUGH_MS);
 const result: HullRun = {
   firstMs: times[0],
   ms: Math.min(...times),
+  cpuMs,
   peakMB: process.resourceUsage().maxRSS / 1024,
   ring: Array.from(made.ring),
   openingLength: made.openingLength ?? 0,

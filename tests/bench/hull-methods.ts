@@ -12,6 +12,8 @@ export interface HullRun {
   /** The first run, with code still cold, and the best of all: the machine's other work only ever adds. */
   readonly firstMs: number;
   readonly ms: number;
+  /** Least processor time of a run: other work hardly lengthens it. */
+  readonly cpuMs?: number;
   /** Of the whole process, its points included. */
   readonly peakMB: number;
   /** x, y a vertex. */
@@ -47,7 +49,7 @@ export const hullMethods: readonly HullMethod[] = [
     name: 'hull.js',
     command: [...node, 'hull.js'],
     prepare: () => run(process.execPath, ['-e', 'require("hull.js")'], { cwd: here }),
-    remedy: 'npm install hull.js, or NODE_PATH to where it is',
+    remedy: 'npm ci, or NODE_PATH to where it is',
   },
   {
     name: 'GEOS concave_hull',

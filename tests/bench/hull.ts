@@ -1,7 +1,7 @@
 import { signedArea } from '../../src/core/geometry/rings.ts';
 import { intersectionOverUnion } from '../unit/core/boundary/measures.ts';
 import { type HullMethod, type HullRun, hullMethods, runHull } from './hull-methods.ts';
-import type { Figure } from './run.ts';
+import type { Figure } from './table.ts';
 import { wallOutline, wallSliceFile } from './wall-slice.ts';
 
 const SIZES = [1_800, 20_000, 200_000, 2_000_000, 10_000_000];
@@ -20,18 +20,34 @@ export async function benchHull(): Promise<readonly Figure[]> {
   const stopped = new Set<HullMethod>();
   for (const size of SIZES) {
     const path = await wallSliceFile(size);
+    const of = size.toLocaleString('en-GB');
     let edgeLength = 0;
     for (const method of present) {
       const result = stopped.has(method) ? null : await runHull(method, path, edgeLength, LIMIT_S * 1000);
       edgeLength = result?.openingLength || edgeLength;
-      const name = `${method.name} ${size.toLocaleString('en-GB')}`;
-      if (result === null) {
-        stopped.add(method);
-        figures.push({ name, value: LIMIT_S, unit: 's', isLeast: true });
-      } else figures.push({ name, value: result.ms, unit: 'ms', note: wording(result) });
+      if (result === null) stopped.add(method);
+      figures.push(...figuresOf(method.name, of, result));
     }
   }
   return figures;
+}
+
+/** Of a method that was stopped only the time is known, and that it is longer. */
+function figuresOf(name: string, of: string, result: HullRun | null): Figure[] {
+  const best = 'ms, best of its runs';
+  if (result === null) return [{ name, of, value: 1000 * LIMIT_S, unit: best, isLeast: true }];
+  const ring = Float64Array.from(result.ring);
+  const area = Math.abs(signedArea(ring)) / signedArea(truth);
+  return [
+    { name, of, value: result.ms, unit: best },
+    ...(result.cpuMs === undefined
+      ? []
+      : [{ name, of, value: result.cpuMs, unit: 'ms of the processor, least' }]),
+    { name, of, value: result.firstMs, unit: 'ms, first run of a process' },
+    { name, of, value: intersectionOverUnion(ring, truth), unit: 'IoU with the true outline' },
+    { name, of, value: 100 * (area - 1), unit: 'error of the area, %' },
+    { name, of, value: result.peakMB, unit: 'peak memory of the process, MB' },
+  ];
 }
 
 async function presentMethods(): Promise<readonly HullMethod[]> {
@@ -45,12 +61,4 @@ async function presentMethods(): Promise<readonly HullMethod[]> {
     }
   }
   return present;
-}
-
-function wording({ ring: values, peakMB, firstMs }: HullRun): string {
-  const ring = Float64Array.from(values);
-  const iou = intersectionOverUnion(ring, truth);
-  const error = 100 * (Math.abs(signedArea(ring)) / signedArea(truth) - 1);
-  const sign = error < 0 ? '−' : '+';
-  return `IoU ${iou.toFixed(4)}, area ${sign}${Math.abs(error).toFixed(2)} %, peak ${peakMB.toFixed(0)} MB, first run ${firstMs.toFixed(0)} ms`;
 }

@@ -2,7 +2,7 @@ import { execFile } from 'node:child_process';
 import { resolve } from 'node:path';
 import { promisify } from 'node:util';
 import { cacheFolder, cloudFile } from './clouds.ts';
-import type { Figure } from './run.ts';
+import type { Figure } from './table.ts';
 
 const cli = resolve(import.meta.dirname, '../../dist/cli.js');
 const run = promisify(execFile);

@@ -3,7 +3,7 @@ import { once } from 'node:events';
 import { chromium } from '@playwright/test';
 import { launchOptions } from '../browser/chromium.ts';
 import { cloudFile } from './clouds.ts';
-import type { Figure } from './run.ts';
+import type { Figure } from './table.ts';
 
 const POINTS = 1_000_000;
 const PORT = 4199;

@@ -2,7 +2,7 @@ import { nodeSource } from '../../src/cli/node-source.ts';
 import { resolveOptions } from '../../src/core/options.ts';
 import { readScan } from '../../src/read/read-scan.ts';
 import { cloudFile } from './clouds.ts';
-import type { Figure } from './run.ts';
+import type { Figure } from './table.ts';
 
 const POINTS = 1_000_000;
 const RUNS = 3;

@@ -1,6 +1,6 @@
 /**
- * `npm run bench [-- NAME…]`: every stage by size, readers in MB/s, the paper's slice, memory and the page, as a table
- * and as JSON in .cache/bench/results.json. Machines are noisy: compare figures of one run.
+ * `npm run bench [-- NAME…]`: every stage by size, readers in MB/s, the paper's slice, outlines beside their peers, memory
+ * and the page, as tables and as JSON in .cache/bench/results.json. Machines are noisy: compare figures of one run.
  */
 import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -11,16 +11,7 @@ import { benchPage } from './page.ts';
 import { benchPaperSlice } from './paper-slice.ts';
 import { benchReading } from './reading.ts';
 import { benchStages } from './stages.ts';
-
-/** One measured figure. */
-export interface Figure {
-  readonly name: string;
-  readonly value: number;
-  readonly unit: string;
-  readonly note?: string;
-  /** It was stopped there: the true value is larger. */
-  readonly isLeast?: boolean;
-}
+import { type Figure, formatFigures } from './table.ts';
 
 const benches: Record<string, () => Promise<readonly Figure[]>> = {
   stages: benchStages,
@@ -39,10 +30,7 @@ const results: Record<string, readonly Figure[]> = {};
 for (const name of chosen.length > 0 ? chosen : Object.keys(benches)) {
   console.log(`\n${name}`);
   results[name] = await benches[name]();
-  for (const { name: figure, value, unit, note = '', isLeast = false } of results[name]) {
-    const shown = `${isLeast ? '> ' : ''}${value.toPrecision(4)}`;
-    console.log(`  ${figure.padEnd(44)} ${shown.padStart(10)} ${unit.padEnd(10)} ${note}`);
-  }
+  console.log(formatFigures(results[name]));
 }
 await mkdir(cacheFolder, { recursive: true });
 await writeFile(join(cacheFolder, 'results.json'), `${JSON.stringify(results, null, 2)}\n`);
