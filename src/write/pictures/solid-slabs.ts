@@ -42,8 +42,14 @@ export function slabsOf(solid: Solid): SolidSlab[] {
   }));
 }
 
-function heightsOf({ positions }: Solid): number[] {
-  const sorted = Float64Array.from({ length: positions.length / 3 }, (_, i) => positions[3 * i + 2]).sort();
+/** Boolean operations leave vertices on upright faces, at any height; only level faces count. */
+function heightsOf({ positions, indices }: Solid): number[] {
+  const level: number[] = [];
+  for (let at = 0; at < indices.length; at += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => positions[3 * indices[at + k] + 2]);
+    if (Math.max(a, b, c) - Math.min(a, b, c) <= SAME_HEIGHT) level.push(a);
+  }
+  const sorted = Float64Array.from(level).sort();
   const heights: number[] = [];
   for (const z of sorted) if (heights.length === 0 || z - heights.at(-1)! > SAME_HEIGHT) heights.push(z);
   return heights;

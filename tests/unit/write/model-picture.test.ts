@@ -310,3 +310,42 @@ describe('castShadow', () => {
     expect(wrong).toBeLessThanOrEqual(4);
   });
 });
+
+test('vertices that Boolean operations leave on upright faces cut no slabs', () => {
+  const box = extrude({ outer: rectangle(0, 0, 4, 3), holes: [] }, 0, 2.5);
+  // A side's upper triangle becomes two at a vertex halfway up one of its edges.
+  const [a, b] = firstUprightEdge(box);
+  const middle = [0, 1, 2].map((k) => (box.positions[3 * a + k] + box.positions[3 * b + k]) / 2);
+  const added = box.positions.length / 3;
+  const triangles: number[] = [];
+  for (let at = 0; at < box.indices.length; at += 3) {
+    const corners = [...box.indices.subarray(at, at + 3)];
+    const edge = corners.findIndex((from, k) => isBetween([from, corners[(k + 1) % 3]], a, b));
+    if (edge < 0) triangles.push(...corners);
+    else {
+      const [from, to, apex] = [0, 1, 2].map((k) => corners[(edge + k) % 3]);
+      triangles.push(from, added, apex, added, to, apex);
+    }
+  }
+  const solid: Solid = {
+    positions: Float64Array.of(...box.positions, ...middle),
+    indices: Uint32Array.from(triangles),
+    groups: [{ name: 'wall-0', kind: 'wall', storey: 0, start: 0, count: triangles.length }],
+  };
+  const slabs = slabsOf(solid);
+  expect(slabs.map(({ low, high }) => [low, high])).toEqual([[0, 2.5]]);
+  expect(slabs[0].sections[0].rings).toHaveLength(1);
+});
+
+function firstUprightEdge({ positions, indices }: { positions: Float64Array; indices: Uint32Array }) {
+  for (let at = 0; at < indices.length; at++) {
+    const [a, b] = [indices[at], indices[at - (at % 3) + ((at + 1) % 3)]];
+    const isUpright = [0, 1].every((k) => positions[3 * a + k] === positions[3 * b + k]);
+    if (isUpright) return [a, b] as const;
+  }
+  throw new Error('expected an upright edge');
+}
+
+function isBetween([from, to]: readonly [number, number], a: number, b: number): boolean {
+  return (from === a && to === b) || (from === b && to === a);
+}
