@@ -51,6 +51,7 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     (context) => orient(scan, options, context),
     ({ frame }) => `${frame.up} up, ${frame.unit}`,
   );
+  const placeInSource = (x: number, y: number) => tellPlace(cloud.frame, x, y);
   const total = cloud.positions.length / 3;
   const kept = await run.stage(
     'outliers',
@@ -77,8 +78,7 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
   const boundary = await run.stage(
     'boundary',
     options,
-    (context) =>
-      findBoundary(slice, options, { ...context, placeInSource: (x, y) => placeInSource(cloud.frame, x, y) }),
+    (context) => findBoundary(slice, options, { ...context, placeInSource }),
     ({ polygons }) => count(vertexCount(polygons), 'vertex', 'vertices'),
   );
   const regularised = await run.stage(
@@ -99,11 +99,7 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     options,
     (context) => {
       const parts = { source: scan.facts, cloud, kept, boundary, regularised, secondary, options };
-      const placed = {
-        ...context,
-        placeInSource: (x: number, y: number) => placeInSource(cloud.frame, x, y),
-      };
-      return { ...makePlan(parts, placed), warnings: [...run.warnings] };
+      return { ...makePlan(parts, { ...context, placeInSource }), warnings: [...run.warnings] };
     },
     ({ storeys }) => count(storeys.length, 'storey'),
   );
@@ -112,7 +108,7 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
 }
 
 /** Seen from above: (691823.12, 5336027.50) m. */
-function placeInSource(frame: Frame, x: number, y: number): string {
+function tellPlace(frame: Frame, x: number, y: number): string {
   const to = sourceCoordinates(frame, TOLD_PRECISION);
   // Twice, since rounding may leave a negative zero.
   const read = (value: number) => Number(value.toFixed(to.digits)).toFixed(to.digits);

@@ -1,4 +1,5 @@
 import type { StageContext } from './context.ts';
+import { ringsOf } from './geometry/rings.ts';
 import type { Options } from './params.ts';
 import { restoreCorners } from './regularise/restore-corners.ts';
 import { type SimplifyingPass, simplifyRings, type Tolerances } from './regularise/simplify-ring.ts';
@@ -58,10 +59,6 @@ export function tolerancesFor(slice: Slice, options: Options): Tolerances {
   const epsilon = options.epsilon === 'auto' ? automatic : options.epsilon;
   const areaEpsilon = options.visvalingamEpsilon === 'auto' ? epsilon ** 2 : options.visvalingamEpsilon;
   return { epsilon, areaEpsilon };
-}
-
-function ringsOf(polygons: readonly Polygon[]): readonly Ring[] {
-  return polygons.flatMap(({ outer, holes }) => [outer, ...holes]);
 }
 
 /** The inverse of {@link ringsOf}, with as many holes each as `model` has. */

@@ -1,3 +1,4 @@
+import { ringsOf } from '../core/geometry/rings.ts';
 import type { Polygon } from '../core/types.ts';
 import { capTriangles, extrude, ON_EDGE } from './extrude.ts';
 import type { Part } from './part.ts';
@@ -132,7 +133,7 @@ class SideRuns {
   /** The next layer up. */
   take(section: readonly Polygon[], low: number, high: number): void {
     const next = new Map<string, Run>();
-    for (const ring of section.flatMap(({ outer, holes }) => [outer, ...holes])) {
+    for (const ring of ringsOf(section)) {
       for (let i = 0; i < ring.length; i += 2) {
         const j = (i + 2) % ring.length;
         const ends = [ring[i], ring[i + 1], ring[j], ring[j + 1]] as const;

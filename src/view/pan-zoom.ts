@@ -28,6 +28,7 @@ export class PanZoom {
   readonly #listening = new AbortController();
   #placement: Placement = { zoom: 1, x: 0, y: 0 };
   #fitZoom = 1;
+  #isFitted = true;
 
   constructor(host: HTMLElement, events: PanZoomEvents) {
     this.#host = host;
@@ -47,6 +48,11 @@ export class PanZoom {
     return this.#placement;
   }
 
+  /** Whether the sheet lies as {@link fit} put it. */
+  get isFitted(): boolean {
+    return this.#isFitted;
+  }
+
   /** Centres a sheet of `width` × `height` with `margin` px around it and `foot` px below. */
   fit(width: number, height: number, { margin, foot }: { margin: number; foot: number }): void {
     const { clientWidth, clientHeight } = this.#host;
@@ -54,6 +60,7 @@ export class PanZoom {
     const zoom = Math.min(room[0] / width, room[1] / height);
     this.#fitZoom = zoom;
     this.#move({ zoom, x: (clientWidth - zoom * width) / 2, y: margin + (room[1] - zoom * height) / 2 });
+    this.#isFitted = true;
   }
 
   zoomIn(): void {
@@ -70,6 +77,7 @@ export class PanZoom {
 
   #move(placement: Placement): void {
     this.#placement = placement;
+    this.#isFitted = false;
     this.#events.onMove(placement);
   }
 

@@ -16,7 +16,6 @@ export class PictureView {
   readonly #listening = new AbortController();
   #svg: SVGSVGElement | null = null;
   #size: readonly [width: number, height: number] = [1, 1];
-  #isFitted = true;
 
   /**
    * @param host an empty element; it gets the keyboard focus and the gestures
@@ -28,8 +27,8 @@ export class PictureView {
     host.setAttribute('role', 'group');
     this.#paper.className = 'paper';
     host.append(this.#paper);
-    this.#panZoom = new PanZoom(host, { onMove: () => this.#moved(), onFit: () => this.fit() });
-    this.#resize = new ResizeObserver(() => this.#isFitted && this.fit());
+    this.#panZoom = new PanZoom(host, { onMove: () => this.#place(), onFit: () => this.fit() });
+    this.#resize = new ResizeObserver(() => this.#panZoom.isFitted && this.fit());
     this.#resize.observe(host);
     const press = ({ clientX, clientY }: MouseEvent) => {
       const found = this.#pickAt(clientX, clientY);
@@ -50,13 +49,12 @@ export class PictureView {
     this.#svg = svg;
     this.#size = [width, height];
     this.#paper.replaceChildren(svg);
-    if (isSame && !isNew && !this.#isFitted) this.#place();
+    if (isSame && !isNew && !this.#panZoom.isFitted) this.#place();
     else this.fit();
   }
 
   fit(): void {
     this.#panZoom.fit(...this.#size, { margin: MARGIN, foot: MARGIN });
-    this.#isFitted = true;
   }
 
   zoomIn(): void {
@@ -72,11 +70,6 @@ export class PictureView {
     this.#resize.disconnect();
     this.#panZoom.dispose();
     this.#host.replaceChildren();
-  }
-
-  #moved(): void {
-    this.#isFitted = false;
-    this.#place();
   }
 
   #place(): void {

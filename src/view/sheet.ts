@@ -58,7 +58,6 @@ export class SheetView {
   #drawing: Drawing | null = null;
   #frame: Frame | null = null;
   #unit: DisplayUnit = 'm';
-  #isFitted = true;
   #pending = 0;
 
   /** @param host an empty element; it gets the keyboard focus and the gestures */
@@ -75,8 +74,8 @@ export class SheetView {
     this.#scaleBar.node.hidden = true;
     host.append(this.#page, this.#points.node, this.#paper, this.#marks.node);
     host.append(this.#coordinates, this.#scaleBar.node);
-    this.#panZoom = new PanZoom(host, { onMove: () => this.#moved(), onFit: () => this.fit() });
-    this.#resize = new ResizeObserver(() => (this.#isFitted ? this.fit() : this.#schedule()));
+    this.#panZoom = new PanZoom(host, { onMove: () => this.#schedule(), onFit: () => this.fit() });
+    this.#resize = new ResizeObserver(() => (this.#panZoom.isFitted ? this.fit() : this.#schedule()));
     this.#resize.observe(host);
     this.#listen();
   }
@@ -96,7 +95,7 @@ export class SheetView {
     this.#points.set(slice.xy, slice.spacing);
     this.#paper.hidden = false;
     this.#scaleBar.node.hidden = false;
-    if (isSame && !isNew && !this.#isFitted) this.#schedule();
+    if (isSame && !isNew && !this.#panZoom.isFitted) this.#schedule();
     else this.fit();
   }
 
@@ -134,7 +133,6 @@ export class SheetView {
     if (!this.#drawing) return;
     const { width, height } = this.#drawing;
     this.#panZoom.fit(width, height, { margin: MARGIN, foot: FOOT });
-    this.#isFitted = true;
   }
 
   zoomIn(): void {
@@ -151,11 +149,6 @@ export class SheetView {
     this.#panZoom.dispose();
     this.#listening.abort();
     this.#host.replaceChildren();
-  }
-
-  #moved(): void {
-    this.#isFitted = false;
-    this.#schedule();
   }
 
   #schedule(): void {

@@ -1,4 +1,4 @@
-import { perimeter, vertexCount } from '../core/geometry/rings.ts';
+import { perimeter, ringsOf, vertexCount } from '../core/geometry/rings.ts';
 import { squaredDistanceToSegment } from '../core/geometry/segments.ts';
 import type { Polygon } from '../core/types.ts';
 import { areaOf, combine } from '../solid/planar.ts';
@@ -43,9 +43,6 @@ function distanceShare(a: readonly Polygon[], b: readonly Polygon[]): number {
   ]).sort();
   return Math.sqrt(distances[Math.ceil(SHARE * distances.length) - 1]);
 }
-
-const ringsOf = (polygons: readonly Polygon[]): Float64Array[] =>
-  polygons.flatMap(({ outer, holes }) => [outer, ...holes]);
 
 function placesAlong(rings: readonly Float64Array[]): (readonly [x: number, y: number])[] {
   const total = rings.reduce((sum, ring) => sum + perimeter(ring), 0);

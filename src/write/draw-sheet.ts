@@ -1,4 +1,4 @@
-import { orientRing } from '../core/geometry/rings.ts';
+import { orientRing, ringsOf } from '../core/geometry/rings.ts';
 import type { Gap, Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
 import { areaOf, combine } from '../solid/planar.ts';
 import { footprint, openingsAtCut } from '../solid/sections.ts';
@@ -85,7 +85,7 @@ function drawWalls(storey: Storey, planToSheet: Affine): { cut: SheetItem[]; gap
   const thickness = Math.max(0, ...storey.walls.map((wall) => wall.thickness));
   const stretches = storey.gaps.map((gap) => stretchOf(gap, thickness * GAP_OVERLAP));
   const cut = stretches.length === 0 ? section : combine('difference', section, stretches);
-  const linesOf = (polygon: Polygon) => ringsOf(polygon).map((ring) => mapped(ring, planToSheet));
+  const linesOf = (polygon: Polygon) => ringsOf([polygon]).map((ring) => mapped(ring, planToSheet));
   const inferred = stretches.flatMap((stretch, gap) =>
     combine('intersection', section, [stretch]).map((polygon) => ({ polygon, gap })),
   );
@@ -116,7 +116,7 @@ function stretchOf({ from, to }: Gap, reach: number): Polygon {
 
 function drawSecondary(secondary: readonly SecondaryBoundary[], planToSheet: Affine): SheetItem[] {
   return secondary.flatMap(({ outline, operation, type }, i): SheetItem[] => {
-    const rings = ringsOf(outline).map((ring) => mapped(ring, planToSheet));
+    const rings = ringsOf([outline]).map((ring) => mapped(ring, planToSheet));
     const lines = HATCHES[operation].flatMap(({ angle, spacing }) => hatch(rings, angle, spacing));
     const data = { kind: 'secondary', operation, type };
     return [
@@ -210,5 +210,3 @@ function factsOf(
 function mappedPolygon({ outer, holes }: Polygon, map: Affine): Polygon {
   return { outer: mapped(outer, map), holes: holes.map((hole) => mapped(hole, map)) };
 }
-
-const ringsOf = ({ outer, holes }: Polygon): Float64Array[] => [outer, ...holes];

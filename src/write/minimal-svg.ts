@@ -1,3 +1,4 @@
+import { ringsOf } from '../core/geometry/rings.ts';
 import type { Polygon } from '../core/types.ts';
 import { wallSection } from '../solid/sections.ts';
 import { decimal } from './decimals.ts';
@@ -31,7 +32,7 @@ export function writeMinimalSvg({ plan }: Product, storey: number): string {
 
 function pathData(polygons: readonly Polygon[]): string {
   let d = '';
-  for (const ring of polygons.flatMap(({ outer, holes }) => [outer, ...holes])) {
+  for (const ring of ringsOf(polygons)) {
     for (let i = 0; i < ring.length; i += 2) {
       d += `${i === 0 ? 'M' : 'L'}${metres(ring[i])} ${metres(-ring[i + 1])}`;
     }

@@ -160,27 +160,28 @@ test('a level can be picked; what came before the level is kept', async ({ page 
   await page.getByTestId(other).click();
   await expect(page.getByTestId(other)).toHaveAttribute('aria-pressed', 'true');
   await expectReady(page);
-  expect(await page.getByTestId('plan-svg').locator('svg').innerHTML()).not.toBe(before);
+  await expect.poll(() => page.getByTestId('plan-svg').locator('svg').innerHTML()).not.toBe(before);
   expect(await stagesRun(page)).not.toContain('read');
   expect(await stagesRun(page)).toContain('level');
 });
 
 test('a changed parameter runs again from its stage only, and can be undone', async ({ page }) => {
   await openPlan(page);
-  const before = await page.getByTestId('plan-svg').locator('svg').innerHTML();
+  const drawing = () => page.getByTestId('plan-svg').locator('svg').innerHTML();
+  const before = await drawing();
   await page.locator('[data-stage=plan] > summary').click();
   const thickness = page.getByRole('textbox', { name: 'Wall thickness' });
   await thickness.fill('50 cm');
   await thickness.press('Enter');
   await expect.poll(() => stagesRun(page)).toEqual(['plan', 'solid']);
   await expect(thickness).toHaveValue('0.5');
-  const changed = await page.getByTestId('plan-svg').locator('svg').innerHTML();
-  expect(changed).not.toBe(before);
+  await expect.poll(drawing).not.toBe(before);
+  const changed = await drawing();
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(thickness).toHaveValue('0.2');
-  await expect.poll(() => page.getByTestId('plan-svg').locator('svg').innerHTML()).toBe(before);
+  await expect.poll(drawing).toBe(before);
   await page.getByRole('group', { name: /^Floor plan/ }).press('Control+Shift+z');
-  await expect.poll(() => page.getByTestId('plan-svg').locator('svg').innerHTML()).toBe(changed);
+  await expect.poll(drawing).toBe(changed);
 });
 
 test('the number of structures brings a choice of operation for each', async ({ page }) => {

@@ -1,6 +1,5 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
-import { PARAMS } from '../../src/core/params.ts';
 import type { FloorPlanElement } from '../../src/element/floor-plan.ts';
 import { dropFile, expect, expectReady, openPlan, roomCsv, stagesRun, test } from './plan-page.ts';
 
@@ -250,7 +249,6 @@ test('the structure is refined by hand, once more at a time, and undo takes it b
 test('the cluster of the structure is picked in the picture or the list; undo takes it back', async ({
   page,
 }) => {
-  test.skip(!Object.hasOwn(PARAMS, 'secondaryCluster'), 'There is no parameter for the cluster.');
   await openPlan(page, HALLWAY);
   await dropFile(page, 'room-2.csv', await readFile('tests/golden/room-2/slice.csv', 'utf8'));
   await expectReady(page);

@@ -70,6 +70,11 @@ export function orientRing(ring: Ring, turn: 'counter-clockwise' | 'clockwise'):
   return isCounterClockwise(ring) === (turn === 'counter-clockwise') ? ring : reverseRing(ring);
 }
 
+/** Every ring of the polygons, each outer one before its holes. */
+export function ringsOf(polygons: readonly Polygon[]): Ring[] {
+  return polygons.flatMap(({ outer, holes }) => [outer, ...holes]);
+}
+
 /** Axis-aligned box of x, y pairs; empty input gives an inverted, infinite box. */
 export function boundsOf(xy: ArrayLike<number>): Bounds {
   let minX = Number.POSITIVE_INFINITY;

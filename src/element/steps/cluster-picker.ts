@@ -1,11 +1,8 @@
-import { type GivenValues, PARAMS } from '../../core/params.ts';
+import { PARAMS } from '../../core/params.ts';
 import { formatCount } from '../../view/measure.ts';
 import { clusterColour } from '../../write/pictures/palette.ts';
 import { make, setAttribute } from '../make.ts';
 import type { Actions, Model, Panel } from '../model.ts';
-
-/** The parameter a picked cluster is given to. */
-const PICKED = 'secondaryCluster';
 
 /**
  * The hand's part in [Stojanovic19] §3.1: which cluster holds the structure, and one more round of refinement. Shown
@@ -47,7 +44,7 @@ export class ClusterPicker implements Panel {
     if (this.node.hidden || !clusters) return;
     if (clusters !== this.#clusters) this.#fill(clusters);
     this.#clusters = clusters;
-    const picked = String((options as Record<string, unknown>)[PICKED]);
+    const picked = String(options.secondaryCluster);
     for (const button of this.#list.children)
       setAttribute(button, 'aria-pressed', String((button as HTMLElement).dataset.cluster === picked));
     this.#rounds = options.secondaryRounds;
@@ -61,7 +58,7 @@ export class ClusterPicker implements Panel {
   }
 
   #choose(cluster: number | 'auto'): void {
-    if (Object.hasOwn(PARAMS, PICKED)) this.#actions.change({ [PICKED]: cluster } as GivenValues, true);
+    this.#actions.change({ secondaryCluster: cluster }, true);
   }
 
   #fill(clusters: Uint8Array): void {
@@ -69,7 +66,6 @@ export class ClusterPicker implements Panel {
     for (const cluster of clusters) sizes[cluster] = (sizes[cluster] ?? 0) + 1;
     const buttons = sizes.map((size, cluster) => this.#button(cluster, `${formatCount(size)} points`));
     this.#list.replaceChildren('Cluster', this.#button('auto', 'Auto'), ...buttons);
-    this.#list.hidden = !Object.hasOwn(PARAMS, PICKED);
   }
 
   #button(cluster: number | 'auto', label: string): HTMLButtonElement {

@@ -1,3 +1,4 @@
+import { ringsOf } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import { turnToSquare } from '../sheet-turn.ts';
 import { path } from './marks.ts';
@@ -77,6 +78,6 @@ function paintShadow(
   const perMetre = [-SHADOW * eye.light[0], -SHADOW * eye.light[1]] as const;
   const shadow = castShadow(floor, z, above, perMetre);
   if (shadow.length === 0) return [];
-  const rings = shadow.flatMap(({ outer, holes }) => [outer, ...holes]).map((ring) => eye.map(ring, z));
+  const rings = ringsOf(shadow).map((ring) => eye.map(ring, z));
   return [path(rings, true, { fill: INK, 'fill-opacity': SHADE, 'fill-rule': 'evenodd' })];
 }

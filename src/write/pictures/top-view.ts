@@ -1,6 +1,6 @@
 import { type Bounds, boundsOf } from '../../core/geometry/rings.ts';
 import { createRandom } from '../../core/random.ts';
-import type { Polygon } from '../../core/types.ts';
+
 import { CONTENT_WIDTH, MARGIN } from './page.ts';
 
 /** The tallest drawing that still shows whole beside its caption on a laptop's screen, and the flattest, px. */
@@ -52,10 +52,6 @@ export function topView({ minX, minY, maxX, maxY }: Bounds, field: Field = WHOLE
     },
   };
 }
-
-/** Rings of polygons, outer first. */
-export const ringsOf = (polygons: readonly Polygon[]): Float64Array[] =>
-  polygons.flatMap(({ outer, holes }) => [outer, ...holes]);
 
 /** Box around points and rings. */
 export function boundsOfAll(parts: readonly Float64Array[]): Bounds {

@@ -5,16 +5,8 @@ import { polygonArea } from '../../../../src/core/geometry/rings.ts';
 import type { Options } from '../../../../src/core/params.ts';
 import { expectValidPolygons } from '../../../invariants.ts';
 import { intersectionOverUnion, ringOf } from './measures.ts';
-import { asSlice, closed, listeningContext, optionsWith, type Path, scanWalls } from './wall-slices.ts';
+import { asSlice, closed, ELL, listeningContext, optionsWith, scanWalls } from './wall-slices.ts';
 
-const ELL: Path = [
-  [0, 0],
-  [6, 0],
-  [6, 2],
-  [3, 2],
-  [3, 5],
-  [0, 5],
-];
 const wallsOfEll = scanWalls({ walls: [closed(ELL)], perMetre: 120, noise: 0.004, seed: 1 });
 
 function boundaryOf(xy: Float64Array, given: Partial<Options> = {}) {

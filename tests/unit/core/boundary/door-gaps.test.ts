@@ -5,7 +5,7 @@ import { signedArea } from '../../../../src/core/geometry/rings.ts';
 import { meanSpacing } from '../../../../src/core/geometry/spacing.ts';
 import { expectValidPolygons } from '../../../invariants.ts';
 import { areaLostToGap, GAP_WIDTHS, gapCases, outlineOf } from '../../../reproduction/door-gaps.ts';
-import { ROOMS } from '../../../reproduction/room-cases.ts';
+import { RECESSES, ROOMS } from '../../../reproduction/room-cases.ts';
 import { areaError, intersectionOverUnion, ringOf } from './measures.ts';
 import { asSlice, closed, listeningContext, optionsWith, type Path, scanWalls } from './wall-slices.ts';
 
@@ -135,37 +135,8 @@ describe('a gap in a wall', () => {
 const WIDTHS = [0.3, 0.6, 1, 2, 3];
 
 describe('a recess with scanned sides', () => {
-  const recesses: Readonly<Record<string, (width: number, depth: number) => Path>> = {
-    'in a wall': (w, d) => [
-      [0, 0],
-      [5 - w / 2, 0],
-      [5 - w / 2, d],
-      [5 + w / 2, d],
-      [5 + w / 2, 0],
-      [10, 0],
-      [10, 6],
-      [0, 6],
-    ],
-    slanting: (w, d) => [
-      [0, 0],
-      [5 - w / 2, 0],
-      [5 - w / 2 + 0.3 * d, d],
-      [5 + w / 2 + 0.3 * d, d],
-      [5 + w / 2, 0],
-      [10, 0],
-      [10, 6],
-      [0, 6],
-    ],
-    'at a corner': (w, d) => [
-      [0, 0],
-      [10 - w, 0],
-      [10 - w, d],
-      [10, d],
-      [10, 6],
-      [0, 6],
-    ],
-  };
-  for (const [name, make] of Object.entries(recesses)) {
+  for (const name of ['in a wall', 'slanting', 'at a corner']) {
+    const make = RECESSES[name];
     it(`is followed, IoU at least 0.98: ${name}`, () => {
       for (const width of WIDTHS) {
         for (const depth of [0.3, 0.6, 1.2, 3]) {
@@ -196,7 +167,7 @@ describe('a recess with scanned sides', () => {
   }
 
   it('is followed with a window in its back wall, which is bridged', () => {
-    const room = recesses['in a wall'](3, 2);
+    const room = RECESSES['in a wall'](3, 2);
     const partition: Path = [
       [3.5, 2],
       [3.5, 6],

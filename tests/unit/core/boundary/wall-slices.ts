@@ -22,6 +22,16 @@ export function normalNumbers(random: () => number): () => number {
 
 export type Path = readonly (readonly [number, number])[];
 
+/** A room with a concave corner, m. */
+export const ELL: Path = [
+  [0, 0],
+  [6, 0],
+  [6, 2],
+  [3, 2],
+  [3, 5],
+  [0, 5],
+];
+
 export interface WallScan {
   /** Walls as open paths; a closed ring repeats its first vertex. */
   readonly walls: readonly Path[];

@@ -11,6 +11,7 @@ import { areaError, intersectionOverUnion, ringOf } from '../boundary/measures.t
 import {
   asSlice,
   closed,
+  ELL,
   listeningContext,
   normalNumbers,
   optionsWith,
@@ -19,14 +20,6 @@ import {
   scanWalls,
 } from '../boundary/wall-slices.ts';
 
-const ELL: Path = [
-  [0, 0],
-  [6, 0],
-  [6, 2],
-  [3, 2],
-  [3, 5],
-  [0, 5],
-];
 const ACUTE: Path = [
   [0, 0],
   [7, 0],

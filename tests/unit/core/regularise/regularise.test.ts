@@ -8,6 +8,7 @@ import { intersectionOverUnion, ringOf } from '../boundary/measures.ts';
 import {
   asSlice,
   closed,
+  ELL,
   listeningContext,
   normalNumbers,
   optionsWith,
@@ -16,14 +17,6 @@ import {
   scanWalls,
 } from '../boundary/wall-slices.ts';
 
-const ELL: Path = [
-  [0, 0],
-  [6, 0],
-  [6, 2],
-  [3, 2],
-  [3, 5],
-  [0, 5],
-];
 const SMALL: Path = [
   [0, 0],
   [2, 0],
