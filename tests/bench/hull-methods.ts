@@ -39,9 +39,15 @@ const manifest = resolve(here, 'peers/rust/Cargo.toml');
 // The crate uses a feature that stable compilers hide.
 const rustEnvironment = { ...process.env, RUSTC_BOOTSTRAP: '1' };
 
-/** Ours first, then its peers. None needs the network; those not installed are left out and told of. */
+/**
+ * Ours first, then its peers. None needs the network; those not installed are left out and told of.
+ *
+ * Ours thrice: as gift opening leaves it, on the outermost of the noise, as the paper's preset does; as the preset
+ * building goes on with it, vertex by vertex on the walls; and straightened, as it goes into the plan.
+ */
 export const hullMethods: readonly HullMethod[] = [
-  { name: 'ours', command: [...node, 'ours'] },
+  { name: 'ours, raw', command: [...node, 'ours'] },
+  { name: 'ours, noise off', command: [...node, 'ours-noise-off'] },
   { name: 'ours, straightened', command: [...node, 'ours-straightened'] },
   { name: 'concaveman', command: [...node, 'concaveman'] },
   { name: 'concaveman, 2 cm', command: [...node, 'concaveman-thinned'] },
