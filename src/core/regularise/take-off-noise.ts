@@ -54,12 +54,13 @@ function lineBeside(hull: Ring, v: number, points: StripPoints, bandwidth: numbe
   ] as const;
   let best: WallLine | null = null;
   for (const [from, to] of windows) {
-    if (from === to) continue;
-    const strip = stripAlong(chainBetween(hull, from, to), 0, REACH * bandwidth);
+    const strip = from === to ? null : stripAlong(chainBetween(hull, from, to), 0, REACH * bandwidth);
     if (strip === null) continue;
     points.gather(strip);
     const line = fitWallLine(points, strip, bandwidth);
     if (line !== null && (best === null || line.deviation < STRAIGHTER * best.deviation)) best = line;
+    const bend = strip.across[1] - REACH * bandwidth - strip.across[0];
+    if (best !== null && bend <= bandwidth) break;
   }
   return best;
 }
