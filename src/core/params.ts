@@ -286,6 +286,14 @@ export const PARAMS = {
     source: '[Park12]',
     advanced: true,
   }),
+  noisePass: flag({
+    default: true,
+    paper: false,
+    stage: 'regularise',
+    label: 'Noise pass',
+    doc: 'Move every vertex of the hull onto the wall beside it: takes off the outer noise that a hull stands on.',
+    source: 'ours',
+  }),
   radialPass: flag({
     default: true,
     stage: 'regularise',

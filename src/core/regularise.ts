@@ -3,6 +3,7 @@ import { ringsOf } from './geometry/rings.ts';
 import type { Options } from './params.ts';
 import { restoreCorners } from './regularise/restore-corners.ts';
 import { type SimplifyingPass, simplifyRings, type Tolerances } from './regularise/simplify-ring.ts';
+import { takeOffNoise } from './regularise/take-off-noise.ts';
 import type { Boundary, Polygon, RegularisationPass, RegularisedBoundary, Ring, Slice } from './types.ts';
 
 /** ε `auto`, in mean spacings [Stojanovic19] §5 … */
@@ -11,13 +12,13 @@ const EPSILON_SPACINGS = 4;
 const LEAST_EPSILON = 0.05;
 
 /**
- * Regularises a boundary by the passes that are switched on: the three of [Stojanovic19] §3 in the paper's order (radial
- * distance, Douglas-Peucker, Visvalingam), then ours that restores corners.
+ * Regularises a boundary by the passes that are switched on: ours that takes off the noise, the three of [Stojanovic19] §3
+ * in the paper's order (radial distance, Douglas-Peucker, Visvalingam), then ours that restores corners.
  *
- * Rings are closed lines: no vertex is privileged. No pass lets rings cross; see {@link simplifyRings} and
- * {@link restoreCorners}. A ring smaller than a tolerance keeps as few vertices as are valid, with a warning.
+ * Rings are closed lines: no vertex is privileged. No pass lets rings cross; see {@link takeOffNoise},
+ * {@link simplifyRings} and {@link restoreCorners}. A ring smaller than a tolerance keeps as few vertices as are valid, with a warning.
  *
- * @param slice its spacing scales the automatic tolerances, its points carry the corners
+ * @param slice its spacing scales the automatic tolerances, its points carry the walls and corners
  */
 export function regulariseBoundary(
   boundary: Boundary,
@@ -28,7 +29,9 @@ export function regulariseBoundary(
   const tolerances = tolerancesFor(slice, options);
   const hulls = ringsOf(boundary.polygons);
   const passes: { name: RegularisationPass; polygons: readonly Polygon[] }[] = [];
-  let rings: readonly Ring[] = hulls;
+  const from = options.noisePass ? takeOffNoise(hulls, slice) : hulls;
+  if (options.noisePass) passes.push({ name: 'noise', polygons: asPolygons(from, boundary.polygons) });
+  let rings = from;
   let vanished = 0;
   for (const name of passesOf(options)) {
     const simplified = simplifyRings(rings, name, tolerances);
@@ -37,7 +40,7 @@ export function regulariseBoundary(
     passes.push({ name, polygons: asPolygons(rings, boundary.polygons) });
   }
   if (options.cornerPass) {
-    rings = restoreCorners(rings, hulls, slice);
+    rings = restoreCorners(rings, hulls, slice, { from });
     passes.push({ name: 'corners', polygons: asPolygons(rings, boundary.polygons) });
   }
   warnOfVanished(vanished, tolerances, context);

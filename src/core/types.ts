@@ -133,8 +133,8 @@ export interface Boundary {
   readonly gaps: readonly Gap[];
 }
 
-/** The passes of [Stojanovic19] §3, and ours that restores corners. */
-export type RegularisationPass = 'radial' | 'douglas-peucker' | 'visvalingam' | 'corners';
+/** The passes of [Stojanovic19] §3, and ours around them, that take off noise and restore corners. */
+export type RegularisationPass = 'noise' | 'radial' | 'douglas-peucker' | 'visvalingam' | 'corners';
 
 /** A boundary after each of the passes that ran. */
 export interface RegularisedBoundary {

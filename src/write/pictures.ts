@@ -51,6 +51,14 @@ export const PICTURES = {
     figure: 'Fig. 4b, 5b',
     draw: drawHull,
   },
+  noise: {
+    label: 'Noise',
+    doc: 'Every vertex is on the wall beside it, no longer on its outermost points.',
+    stage: 'regularise',
+    figure: 'ours',
+    has: ({ regularise }) => hasPass('noise', regularise),
+    draw: (results) => drawPass('noise', results),
+  },
   radial: {
     label: 'Radial distance',
     doc: 'Vertices closer than ε to the one before are gone.',

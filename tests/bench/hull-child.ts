@@ -31,8 +31,9 @@ const context = {
 
 /** Each takes the points as they are read and returns the work to be timed. */
 const methods: Record<string, (xy: Float32Array, length: number) => () => Made> = {
-  ours: (xy) => chain(xy, false),
-  'ours-straightened': (xy) => chain(xy, true),
+  ours: (xy) => chain(xy, 'hull'),
+  'ours-noise-off': (xy) => chain(xy, 'noise'),
+  'ours-straightened': (xy) => chain(xy, 'all'),
   concaveman(xy) {
     const pairs = toPairs(xy);
     return () => ({ ring: concaveman(pairs, 2).flat() });
@@ -68,18 +69,19 @@ const result: HullRun = {
 };
 console.log(JSON.stringify(result));
 
-/** The chain's part from the points of a level to the outline, with or without the passes that straighten it. */
-function chain(xy: Float32Array, isStraightened: boolean): () => Made {
+/** The chain's part from the points of a level to the outline: up to the hull, to the hull without noise, or to the end. */
+function chain(xy: Float32Array, upTo: 'hull' | 'noise' | 'all'): () => Made {
   const positions = new Float32Array((xy.length / 2) * 3);
   for (let i = 0; i < xy.length / 2; i++) positions.set(xy.subarray(2 * i, 2 * i + 2), 3 * i);
   // A flat cloud, as a ready slice becomes: only these two are looked at.
   const cloud = { positions, isFlat: true } as PointCloud;
   const indices = Uint32Array.from({ length: xy.length / 2 }, (_, i) => i);
-  const options = resolveOptions({ preset: 'building' });
+  const others = { radialPass: false, douglasPeuckerPass: false, visvalingamPass: false, cornerPass: false };
+  const options = resolveOptions({ preset: 'building', ...(upTo === 'noise' ? others : {}) });
   return () => {
     const slice = makeSlice(cloud, indices, [0, 0], options);
     const boundary = findBoundary(slice, options, context);
-    const { polygons } = isStraightened ? regulariseBoundary(boundary, slice, options, context) : boundary;
+    const { polygons } = upTo === 'hull' ? boundary : regulariseBoundary(boundary, slice, options, context);
     return { ring: polygons[0].outer, openingLength: boundary.openingLength };
   };
 }

@@ -25,6 +25,8 @@ export interface HullRun {
 /** A way to an outline: a command to which file and edge length are added. */
 export interface HullMethod {
   readonly name: string;
+  /** What its outline is, where the name does not say. */
+  readonly note?: string;
   readonly command: readonly string[];
   /** Makes ready; rejects where it is not to be had on this machine. */
   prepare?(): Promise<unknown>;
@@ -39,9 +41,19 @@ const manifest = resolve(here, 'peers/rust/Cargo.toml');
 // The crate uses a feature that stable compilers hide.
 const rustEnvironment = { ...process.env, RUSTC_BOOTSTRAP: '1' };
 
-/** Ours first, then its peers. None needs the network; those not installed are left out and told of. */
+/**
+ * Ours first, then its peers. None needs the network; those not installed are left out and told of.
+ *
+ * Ours thrice: as gift opening leaves it, on the outermost of the noise, as the paper's preset does; as the preset
+ * building goes on with it, vertex by vertex on the walls; and straightened, as it goes into the plan.
+ */
 export const hullMethods: readonly HullMethod[] = [
-  { name: 'ours', command: [...node, 'ours'] },
+  { name: 'ours, raw', command: [...node, 'ours'], note: "the paper's hull: on the outermost of the noise" },
+  {
+    name: 'ours, noise off',
+    command: [...node, 'ours-noise-off'],
+    note: 'the hull as the preset building goes on with it: each vertex on its wall',
+  },
   { name: 'ours, straightened', command: [...node, 'ours-straightened'] },
   { name: 'concaveman', command: [...node, 'concaveman'] },
   { name: 'concaveman, 2 cm', command: [...node, 'concaveman-thinned'] },

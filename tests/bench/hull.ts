@@ -26,14 +26,14 @@ export async function benchHull(): Promise<readonly Figure[]> {
       const result = stopped.has(method) ? null : await runHull(method, path, edgeLength, LIMIT_S * 1000);
       edgeLength = result?.openingLength || edgeLength;
       if (result === null) stopped.add(method);
-      figures.push(...figuresOf(method.name, of, result));
+      figures.push(...figuresOf(method, of, result));
     }
   }
   return figures;
 }
 
 /** Of a method that was stopped only the time is known, and that it is longer. */
-function figuresOf(name: string, of: string, result: HullRun | null): Figure[] {
+function figuresOf({ name, note }: HullMethod, of: string, result: HullRun | null): Figure[] {
   const best = 'ms, best of its runs';
   if (result === null) return [{ name, of, value: 1000 * LIMIT_S, unit: best, isLeast: true }];
   const ring = Float64Array.from(result.ring);
@@ -44,7 +44,13 @@ function figuresOf(name: string, of: string, result: HullRun | null): Figure[] {
       ? []
       : [{ name, of, value: result.cpuMs, unit: 'ms of the processor, least' }]),
     { name, of, value: result.firstMs, unit: 'ms, first run of a process' },
-    { name, of, value: intersectionOverUnion(ring, truth), unit: 'IoU with the true outline' },
+    {
+      name,
+      of,
+      value: intersectionOverUnion(ring, truth),
+      unit: 'IoU with the true outline',
+      ...(note ? { note } : {}),
+    },
     { name, of, value: 100 * (area - 1), unit: 'error of the area, %' },
     { name, of, value: result.peakMB, unit: 'peak memory of the process, MB' },
   ];

@@ -8,6 +8,7 @@ import {
   simplifyRing,
   simplifyRings,
 } from '../../src/core/regularise/simplify-ring.ts';
+import { takeOffNoise } from '../../src/core/regularise/take-off-noise.ts';
 import type { Ring } from '../../src/core/types.ts';
 import { expectValidPolygon, expectValidRing } from '../invariants.ts';
 import { asSlice, randomNumbers } from '../unit/core/boundary/wall-slices.ts';
@@ -204,3 +205,29 @@ function distanceToRing(x: number, y: number, ring: Ring): number {
 function verticesOf(r: Ring): string[] {
   return Array.from({ length: r.length / 2 }, (_, k) => `${r[2 * k]},${r[2 * k + 1]}`);
 }
+
+describe('takeOffNoise', () => {
+  it('leaves simple rings of as many vertices, turning as before, whatever the points', () => {
+    fc.assert(
+      fc.property(hostileRing, fc.integer(), (given, seed) => {
+        const [found] = takeOffNoise([given], asSlice(pointsAround(given, seed)));
+        expectValidRing(found);
+        expect(found.length).toBe(given.length);
+        expect(isCounterClockwise(found)).toBe(isCounterClockwise(given));
+      }),
+      { numRuns: 2_000, seed: SEED },
+    );
+  });
+
+  it('moves each vertex the same way whichever comes first and however the points are ordered', () => {
+    fc.assert(
+      fc.property(hostileRing, fc.integer(), fc.nat(), (given, seed, shift) => {
+        const slice = asSlice(pointsAround(given, seed));
+        const [found] = takeOffNoise([given], slice);
+        const [again] = takeOffNoise([startingAt(given, shift)], { ...slice, xy: reverseRing(slice.xy) });
+        expect(verticesOf(again).sort()).toEqual(verticesOf(found).sort());
+      }),
+      { numRuns: 500, seed: SEED },
+    );
+  });
+});

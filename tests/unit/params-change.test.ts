@@ -40,6 +40,7 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   bridgeGap: { on: 'slice', from: { openingLength: 0.08 }, to: { bridgeGap: 0 } },
   alpha: { on: 'scan', from: { boundary: 'alpha-shape' }, to: { alpha: 3 } },
   concavity: { on: 'scan', from: { boundary: 'concaveman' }, to: { concavity: 6 } },
+  noisePass: { on: 'scan', to: { noisePass: false } },
   radialPass: {
     on: 'slice',
     from: { douglasPeuckerPass: false, visvalingamPass: false },

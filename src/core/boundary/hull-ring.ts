@@ -78,10 +78,14 @@ function meetsRing(hull: HullRing, from: number, p: number, a: number, b: number
   const { grid, next, edges } = hull;
   const { x, y } = grid;
   const count = edges.along(from, p);
+  const { u: firsts, v: seconds, found } = edges;
+  const left = Math.min(x[from], x[p]);
+  const right = Math.max(x[from], x[p]);
   for (let k = 0; k < count; k++) {
-    const u = edges.u[edges.found[k]];
-    const v = edges.v[edges.found[k]];
+    const u = firsts[found[k]];
+    const v = seconds[found[k]];
     if (next[u] !== v || (u === a && v === b)) continue;
+    if ((x[u] < left && x[v] < left) || (x[u] > right && x[v] > right)) continue;
     if (u === from || v === from) {
       if (isAlong(grid, from, p, u === from ? v : u)) return true;
     } else if (segmentsTouch(x[from], y[from], x[p], y[p], x[u], y[u], x[v], y[v])) return true;

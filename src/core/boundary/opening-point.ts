@@ -100,25 +100,32 @@ function scanSlab(search: Search, from: number, to: number, margin: number): voi
   const highY = Math.max(near * uy, far * uy) + Math.max(from * ux, to * ux);
   const firstRow = Math.max(0, Math.ceil(lowY / cell - offsetY));
   const lastRow = Math.min(rows - 1, Math.floor(highY / cell - offsetY));
+  // Columns a metre of depth or of way along the edge; an edge within rounding of an axis bounds no columns by it.
+  const perDepth = 1 / (uy * cell);
+  const perWay = 1 / (ux * cell);
+  const isLevel = !Number.isFinite(perDepth);
+  const isUpright = !Number.isFinite(perWay);
   for (let row = firstRow; row <= lastRow; row++) {
     const dy = (row + offsetY) * cell;
     let low = offsetX;
     let high = columns - 1 + offsetX;
     // Depth of a centre: dy·ux - dx·uy, in [from, to]; place along the edge: dx·ux + dy·uy, in [near, far].
-    if (uy > 0) {
-      low = Math.max(low, (dy * ux - to) / uy / cell);
-      high = Math.min(high, (dy * ux - from) / uy / cell);
-    } else if (uy < 0) {
-      low = Math.max(low, (dy * ux - from) / uy / cell);
-      high = Math.min(high, (dy * ux - to) / uy / cell);
-    } else if (dy * ux < from || dy * ux > to) continue;
-    if (ux > 0) {
-      low = Math.max(low, (near - dy * uy) / ux / cell);
-      high = Math.min(high, (far - dy * uy) / ux / cell);
-    } else if (ux < 0) {
-      low = Math.max(low, (far - dy * uy) / ux / cell);
-      high = Math.min(high, (near - dy * uy) / ux / cell);
-    } else if (dy * uy < near || dy * uy > far) continue;
+    if (isLevel) {
+      if (dy * ux < from || dy * ux > to) continue;
+    } else {
+      const one = (dy * ux - from) * perDepth;
+      const other = (dy * ux - to) * perDepth;
+      low = Math.max(low, Math.min(one, other));
+      high = Math.min(high, Math.max(one, other));
+    }
+    if (isUpright) {
+      if (dy * uy < near || dy * uy > far) continue;
+    } else {
+      const one = (near - dy * uy) * perWay;
+      const other = (far - dy * uy) * perWay;
+      low = Math.max(low, Math.min(one, other));
+      high = Math.min(high, Math.max(one, other));
+    }
     const firstColumn = Math.max(0, Math.ceil(low - offsetX));
     const lastColumn = Math.min(columns - 1, Math.floor(high - offsetX));
     if (firstColumn > lastColumn) continue;

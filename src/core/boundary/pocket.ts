@@ -45,13 +45,17 @@ export function startPocket(
   facts: Pick<Pocket, 'length' | 'tolerance' | 'areaBefore' | 'outer'>,
 ): Pocket {
   const b = next[a];
+  const { length, tolerance, areaBefore, outer } = facts;
   return {
-    ...facts,
     ax: x[a],
     ay: y[a],
-    ux: (x[b] - x[a]) / facts.length,
-    uy: (y[b] - y[a]) / facts.length,
-    level: facts.outer === null ? 0 : facts.outer.level + 1,
+    ux: (x[b] - x[a]) / length,
+    uy: (y[b] - y[a]) / length,
+    length,
+    tolerance,
+    areaBefore,
+    level: outer === null ? 0 : outer.level + 1,
+    outer,
     leastSlant: -STEEPEST_SLANT,
     mostSlant: STEEPEST_SLANT,
     depth: 0,
@@ -61,8 +65,10 @@ export function startPocket(
 /** Whether the pocket, and every pocket around it, still fits a strip with point p in it. */
 export function fits(pocket: Pocket | null, { grid }: HullRing, p: number): boolean {
   for (let at = pocket; at !== null; at = at.outer) {
-    const [least, most] = slantsFor(at, grid.x[p], grid.y[p]);
-    if (Math.max(least, at.leastSlant) > Math.min(most, at.mostSlant)) return false;
+    const along = alongMouth(at, grid.x[p], grid.y[p]);
+    const depth = depthBehind(at, grid.x[p], grid.y[p]);
+    const least = Math.max(at.leastSlant, leastSlantFor(at, along, depth));
+    if (least > Math.min(at.mostSlant, mostSlantFor(at, along, depth))) return false;
   }
   return true;
 }
@@ -70,9 +76,10 @@ export function fits(pocket: Pocket | null, { grid }: HullRing, p: number): bool
 /** Takes point p into the pocket and every pocket around it. */
 export function takeIn(pocket: Pocket | null, { grid }: HullRing, p: number): void {
   for (let at = pocket; at !== null; at = at.outer) {
-    const [least, most, depth] = slantsFor(at, grid.x[p], grid.y[p]);
-    at.leastSlant = Math.max(at.leastSlant, least);
-    at.mostSlant = Math.min(at.mostSlant, most);
+    const along = alongMouth(at, grid.x[p], grid.y[p]);
+    const depth = depthBehind(at, grid.x[p], grid.y[p]);
+    at.leastSlant = Math.max(at.leastSlant, leastSlantFor(at, along, depth));
+    at.mostSlant = Math.min(at.mostSlant, mostSlantFor(at, along, depth));
     at.depth = Math.max(at.depth, depth);
   }
 }
@@ -93,26 +100,26 @@ export function restore(outer: Pocket | null, values: readonly number[]): void {
   }
 }
 
-/** The slants of strips that hold a point, and its depth. */
-function slantsFor(
-  pocket: Pocket,
-  x: number,
-  y: number,
-): readonly [least: number, most: number, depth: number] {
-  const dx = x - pocket.ax;
-  const dy = y - pocket.ay;
-  const along = dx * pocket.ux + dy * pocket.uy;
-  const depth = Math.max(0, dy * pocket.ux - dx * pocket.uy);
-  const { tolerance } = pocket;
-  const right = along - pocket.length - tolerance;
+function alongMouth({ ax, ay, ux, uy }: Pocket, x: number, y: number): number {
+  return (x - ax) * ux + (y - ay) * uy;
+}
+
+function depthBehind({ ax, ay, ux, uy }: Pocket, x: number, y: number): number {
+  return Math.max(0, (y - ay) * ux - (x - ax) * uy);
+}
+
+/** The least slant of a strip that holds a point; beyond the steepest when none does. */
+function leastSlantFor({ length, tolerance }: Pocket, along: number, depth: number): number {
+  const right = along - length - tolerance;
+  if (depth === 0) return right > 0 ? STEEPEST_SLANT + 1 : -STEEPEST_SLANT;
+  return right / depth - WIDENING;
+}
+
+/** The most one, likewise. */
+function mostSlantFor({ tolerance }: Pocket, along: number, depth: number): number {
   const left = along + tolerance;
-  if (depth === 0)
-    return [
-      right > 0 ? STEEPEST_SLANT + 1 : -STEEPEST_SLANT,
-      left < 0 ? -STEEPEST_SLANT - 1 : STEEPEST_SLANT,
-      0,
-    ];
-  return [right / depth - WIDENING, left / depth + WIDENING, depth];
+  if (depth === 0) return left < 0 ? -STEEPEST_SLANT - 1 : STEEPEST_SLANT;
+  return left / depth + WIDENING;
 }
 
 /** Whether a pocket takes more of the ring than a recess would: the room itself. */

@@ -1,5 +1,5 @@
 import type { Ring } from '../types.ts';
-import { hullCandidates } from './hull-candidates.ts';
+import { chainCandidates } from './hull-candidates.ts';
 import { distinctPoints } from './point-order.ts';
 import { orientation } from './predicates.ts';
 
@@ -29,13 +29,11 @@ export function convexHull(xy: Float64Array): Ring {
  * @returns point numbers of the hull, counter-clockwise
  */
 export function convexHullOfSorted(xy: Float64Array): Uint32Array {
-  const candidates = hullCandidates(xy);
-  const n = candidates.length;
-  if (n < 2) return new Uint32Array(n);
-  const lower = candidates;
-  const upper = candidates.slice();
-  const lowerLength = chainOf(xy, lower, 0, n, 1);
-  const upperLength = chainOf(xy, upper, 0, n, -1);
+  if (xy.length < 4) return new Uint32Array(xy.length >> 1);
+  const lower = chainCandidates(xy, 1);
+  const upper = chainCandidates(xy, -1);
+  const lowerLength = chainOf(xy, lower, 0, lower.length, 1);
+  const upperLength = chainOf(xy, upper, 0, upper.length, -1);
   const hull = new Uint32Array(lowerLength + upperLength - 2);
   hull.set(lower.subarray(0, lowerLength - 1));
   // The upper chain runs left to right too; its inner vertices close the ring from right to left.

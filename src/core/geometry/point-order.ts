@@ -21,11 +21,13 @@ export function lexicographicOrder(xy: Float64Array): Uint32Array {
   for (let i = 0; i < n; i++) order[i] = i;
   if (n < 2) return order;
   const digits = new Uint32Array(n);
-  for (const axis of [1, 0]) {
-    quantise(xy, axis, digits);
-    order = countingSort(order, digits, 0);
-    order = countingSort(order, digits, DIGIT_BITS);
-  }
+  quantise(xy, 1, digits);
+  // y only parts points of one x: of few points its upper digit is enough.
+  if (n > DIGITS) order = countingSort(order, digits, 0);
+  order = countingSort(order, digits, DIGIT_BITS);
+  quantise(xy, 0, digits);
+  order = countingSort(order, digits, 0);
+  order = countingSort(order, digits, DIGIT_BITS);
   settle(order, xy);
   return order;
 }

@@ -2,6 +2,8 @@ import type { Bounds } from './rings.ts';
 
 /** Padding of a segment's span in cells: rounding must not make a segment miss a cell it touches. */
 const PADDING = 1e-6;
+/** Room for so many entries at first. */
+const ENTRIES = 1024;
 
 /**
  * A uniform grid over segments between numbered points, for questions "what lies along this segment?".
@@ -9,20 +11,29 @@ const PADDING = 1e-6;
  * A segment is entered in every cell it passes. Nothing is ever taken out: who asks knows which segments still count.
  */
 export class SegmentGrid {
-  /** Entries the last {@link along} found: ends of each, in `u` and `v`. */
+  /** Entries the last {@link along} or {@link around} found: ends of each, in `u` and `v`. */
   found = new Int32Array(64);
-  u = new Int32Array(256);
-  v = new Int32Array(256);
+  u = new Int32Array(ENTRIES);
+  v = new Int32Array(ENTRIES);
   private readonly x: Float64Array;
   private readonly y: Float64Array;
   private readonly minX: number;
   private readonly minY: number;
-  private readonly cell: number;
+  private readonly cellsPerMetre: number;
   private readonly columns: number;
   private readonly rows: number;
   private readonly head: Int32Array;
-  private chain = new Int32Array(256);
+  private chain = new Int32Array(ENTRIES);
   private size = 0;
+  // The segment at hand, in cells, and the cells of it at hand.
+  private ax = 0;
+  private ay = 0;
+  private bx = 0;
+  private by = 0;
+  /** Columns a row. */
+  private slope = 0;
+  private firstRow = 0;
+  private lastRow = 0;
   private firstColumn = 0;
   private lastColumn = 0;
 
@@ -32,16 +43,16 @@ export class SegmentGrid {
     this.y = y;
     this.minX = bounds.minX;
     this.minY = bounds.minY;
-    this.cell = cell;
+    this.cellsPerMetre = 1 / cell;
     this.columns = Math.floor((bounds.maxX - bounds.minX) / cell) + 1;
     this.rows = Math.floor((bounds.maxY - bounds.minY) / cell) + 1;
     this.head = new Int32Array(this.columns * this.rows).fill(-1);
   }
 
   add(u: number, v: number): void {
-    const rowRange = this.rowsOf(u, v);
-    for (let row = rowRange[0]; row <= rowRange[1]; row++) {
-      this.spanInRow(u, v, row);
+    this.take(u, v);
+    for (let row = this.firstRow; row <= this.lastRow; row++) {
+      this.spanInRow(row);
       for (let column = this.firstColumn; column <= this.lastColumn; column++) {
         this.enter(row * this.columns + column, u, v);
       }
@@ -50,33 +61,40 @@ export class SegmentGrid {
 
   /** Finds the entries of all cells the segment passes, some more than once; their numbers go to `found`. */
   along(u: number, v: number): number {
+    this.take(u, v);
     let count = 0;
-    const rowRange = this.rowsOf(u, v);
-    for (let row = rowRange[0]; row <= rowRange[1]; row++) {
-      this.spanInRow(u, v, row);
-      for (let column = this.firstColumn; column <= this.lastColumn; column++) {
-        for (let entry = this.head[row * this.columns + column]; entry >= 0; entry = this.chain[entry]) {
-          if (count === this.found.length) this.found = grown(this.found);
-          this.found[count++] = entry;
-        }
-      }
+    for (let row = this.firstRow; row <= this.lastRow; row++) {
+      this.spanInRow(row);
+      count = this.collect(row, count);
     }
     return count;
   }
 
   /** Finds the entries of all cells within `reach` of a place along either axis; their numbers go to `found`. */
   around(x: number, y: number, reach: number): number {
-    const firstRow = Math.max(0, Math.floor((y - reach - this.minY) / this.cell));
-    const lastRow = Math.min(this.rows - 1, Math.floor((y + reach - this.minY) / this.cell));
-    const firstColumn = Math.max(0, Math.floor((x - reach - this.minX) / this.cell));
-    const lastColumn = Math.min(this.columns - 1, Math.floor((x + reach - this.minX) / this.cell));
+    const { cellsPerMetre } = this;
+    const firstRow = Math.max(0, Math.floor((y - reach - this.minY) * cellsPerMetre));
+    const lastRow = Math.min(this.rows - 1, Math.floor((y + reach - this.minY) * cellsPerMetre));
+    this.firstColumn = Math.max(0, Math.floor((x - reach - this.minX) * cellsPerMetre));
+    this.lastColumn = Math.min(this.columns - 1, Math.floor((x + reach - this.minX) * cellsPerMetre));
     let count = 0;
-    for (let row = firstRow; row <= lastRow; row++) {
-      for (let column = firstColumn; column <= lastColumn; column++) {
-        for (let entry = this.head[row * this.columns + column]; entry >= 0; entry = this.chain[entry]) {
-          if (count === this.found.length) this.found = grown(this.found);
-          this.found[count++] = entry;
+    for (let row = firstRow; row <= lastRow; row++) count = this.collect(row, count);
+    return count;
+  }
+
+  /** Adds the entries of the columns at hand to those found. */
+  private collect(row: number, before: number): number {
+    const { head, chain } = this;
+    const last = row * this.columns + this.lastColumn;
+    let { found } = this;
+    let count = before;
+    for (let cell = row * this.columns + this.firstColumn; cell <= last; cell++) {
+      for (let entry = head[cell]; entry >= 0; entry = chain[entry]) {
+        if (count === found.length) {
+          found = grown(found);
+          this.found = found;
         }
+        found[count++] = entry;
       }
     }
     return count;
@@ -94,32 +112,29 @@ export class SegmentGrid {
     this.head[cell] = this.size++;
   }
 
-  private rowsOf(u: number, v: number): readonly [first: number, last: number] {
-    const a = (this.y[u] - this.minY) / this.cell;
-    const b = (this.y[v] - this.minY) / this.cell;
-    return [
-      Math.max(0, Math.floor(Math.min(a, b) - PADDING)),
-      Math.min(this.rows - 1, Math.floor(Math.max(a, b) + PADDING)),
-    ];
+  /** Takes a segment at hand, and the rows it passes. */
+  private take(u: number, v: number): void {
+    const { x, y, minX, minY, cellsPerMetre } = this;
+    this.ax = (x[u] - minX) * cellsPerMetre;
+    this.ay = (y[u] - minY) * cellsPerMetre;
+    this.bx = (x[v] - minX) * cellsPerMetre;
+    this.by = (y[v] - minY) * cellsPerMetre;
+    this.slope = (this.bx - this.ax) / (this.by - this.ay);
+    this.firstRow = Math.max(0, Math.floor(Math.min(this.ay, this.by) - PADDING));
+    this.lastRow = Math.min(this.rows - 1, Math.floor(Math.max(this.ay, this.by) + PADDING));
   }
 
-  /** Columns the segment touches within a row, in cells. */
-  private spanInRow(u: number, v: number, row: number): void {
-    const ax = (this.x[u] - this.minX) / this.cell;
-    const bx = (this.x[v] - this.minX) / this.cell;
-    const ay = (this.y[u] - this.minY) / this.cell;
-    const by = (this.y[v] - this.minY) / this.cell;
-    let from = ax;
-    let to = bx;
-    if (ay !== by) {
-      const slope = (bx - ax) / (by - ay);
-      const enter = Math.max(Math.min(ay, by), row - PADDING);
-      const leave = Math.min(Math.max(ay, by), row + 1 + PADDING);
-      from = ax + (enter - ay) * slope;
-      to = ax + (leave - ay) * slope;
+  /** Takes the columns at hand that the segment touches within a row. */
+  private spanInRow(row: number): void {
+    const { ax, ay, bx, by } = this;
+    let least = Math.min(ax, bx);
+    let most = Math.max(ax, bx);
+    if (this.firstRow < this.lastRow && ay !== by) {
+      const from = ax + (Math.max(Math.min(ay, by), row - PADDING) - ay) * this.slope;
+      const to = ax + (Math.min(Math.max(ay, by), row + 1 + PADDING) - ay) * this.slope;
+      least = Math.max(Math.min(from, to), least);
+      most = Math.min(Math.max(from, to), most);
     }
-    const least = Math.max(Math.min(from, to), Math.min(ax, bx));
-    const most = Math.min(Math.max(from, to), Math.max(ax, bx));
     this.firstColumn = Math.max(0, Math.floor(least - PADDING));
     this.lastColumn = Math.min(this.columns - 1, Math.floor(most + PADDING));
   }

@@ -1,3 +1,4 @@
+import type { Ring } from '../types.ts';
 import type { Strip } from './strip-points.ts';
 
 /**
@@ -25,6 +26,19 @@ export function stripAlong(chain: Float64Array, margin: number, reach: number): 
   }
   const indent = Math.min(margin, (end - start) / 4);
   return { x, y, ux, uy, along: [start + indent, end - indent], across: [low, high + reach] };
+}
+
+/** The stretch of a ring from one vertex on to another, x, y a vertex. */
+export function chainBetween(ring: Ring, from: number, to: number): Float64Array {
+  const n = ring.length / 2;
+  const steps = (to - from + n) % n;
+  const chain = new Float64Array(2 * steps + 2);
+  for (let k = 0; k <= steps; k++) {
+    const v = (from + k) % n;
+    chain[2 * k] = ring[2 * v];
+    chain[2 * k + 1] = ring[2 * v + 1];
+  }
+  return chain;
 }
 
 /** Middle and unit direction of a chain from its first to its last vertex, by total least squares over its length. */

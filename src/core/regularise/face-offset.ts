@@ -1,3 +1,7 @@
+/** Points nearer across a wall than this many mean spacings are not told apart … */
+const BANDWIDTH_SPACINGS = 2;
+/** … nor than this, m: above the noise of a scanner, a third of the thinnest wall's thickness. */
+const LEAST_BANDWIDTH = 0.025;
 /** Bins a bandwidth. */
 const BINS = 4;
 /** A face must hold this share of the points of the strongest one beside it: fewer are reveals, frames and noise. */
@@ -10,6 +14,11 @@ export interface FaceOffset {
   readonly peak: number;
   /** The densest points belong to this face up to here; behind it another may begin. */
   readonly end: number;
+}
+
+/** How near points across a wall are not told apart, m, where the noise is not known. */
+export function bandwidthFor(spacing: number): number {
+  return Math.max(LEAST_BANDWIDTH, BANDWIDTH_SPACINGS * spacing);
 }
 
 /**

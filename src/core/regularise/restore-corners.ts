@@ -2,7 +2,8 @@ import { buildPointGrid } from '../geometry/point-grid.ts';
 import { distinctPoints } from '../geometry/point-order.ts';
 import { squaredDistanceToSegment } from '../geometry/segments.ts';
 import type { Ring, Slice } from '../types.ts';
-import { stripAlong } from './chain-strip.ts';
+import { chainBetween, stripAlong } from './chain-strip.ts';
+import { bandwidthFor } from './face-offset.ts';
 import { placesIn } from './places-in.ts';
 import { type RingDraft, settleRings } from './settle-rings.ts';
 import { StripPoints } from './strip-points.ts';
@@ -15,10 +16,6 @@ import {
   type WallLine,
 } from './wall-line.ts';
 
-/** Points nearer across than this many mean spacings are not told apart … */
-const BANDWIDTH_SPACINGS = 2;
-/** … nor than this, m: above the noise of a scanner, a third of the thinnest wall's thickness. */
-const LEAST_BANDWIDTH = 0.025;
 /** Points of a face lie up to this many bandwidths behind the hull: the far side of the noise. */
 const REACH = 3;
 /**
@@ -45,25 +42,40 @@ const MOST_ROUNDS = 4;
  * @param rings simplified
  * @param hulls the rings they were simplified from: no point that an edge stands for lies outside its stretch of hull
  * @param bandwidth points nearer across are not told apart, m; give it where the noise is known
+ * @param from the hulls with vertices moved, where it was those that were simplified
  * @returns rings as valid as those given: where a moved vertex would make edges cross it stays. O(points).
  */
 export function restoreCorners(
   rings: readonly Ring[],
   hulls: readonly Ring[],
   { xy, spacing }: Pick<Slice, 'xy' | 'spacing'>,
-  bandwidth = Math.max(LEAST_BANDWIDTH, BANDWIDTH_SPACINGS * spacing),
+  { bandwidth = bandwidthFor(spacing), from = hulls }: Given = {},
 ): readonly Ring[] {
   if (xy.length === 0) return rings;
   const points = new StripPoints(buildPointGrid(distinctPoints(xy), bandwidth));
-  const drafts = rings.map((ring, r) => new Refining(ring, hulls[r], points, bandwidth).draft());
+  const drafts = rings.map((ring, r) => {
+    const places = placesIn(from[r], ring);
+    return new Refining({ ring, hull: hulls[r], places }, points, bandwidth).draft();
+  });
   return settleRings(rings, drafts);
+}
+
+interface Given {
+  readonly bandwidth?: number;
+  readonly from?: readonly Ring[];
+}
+
+interface Simplified {
+  readonly ring: Ring;
+  readonly hull: Ring;
+  /** Number in the hull of each vertex. */
+  readonly places: readonly number[];
 }
 
 /** One ring; an edge goes by the place of its first vertex in `kept`. */
 class Refining {
   private readonly ring: Ring;
   private readonly hull: Ring;
-  /** Number in the hull of each vertex. */
   private readonly places: readonly number[];
   private readonly points: StripPoints;
   private readonly bandwidth: number;
@@ -73,10 +85,10 @@ class Refining {
   /** New places of the vertices kept. */
   private corners: readonly Point[];
 
-  constructor(ring: Ring, hull: Ring, points: StripPoints, bandwidth: number) {
+  constructor({ ring, hull, places }: Simplified, points: StripPoints, bandwidth: number) {
     this.ring = ring;
     this.hull = hull;
-    this.places = placesIn(hull, ring);
+    this.places = places;
     this.points = points;
     this.bandwidth = bandwidth;
     this.kept = verticesFromFirst(ring);
@@ -113,7 +125,8 @@ class Refining {
     const { bandwidth } = this;
     const length = distance(this.vertex(from), this.vertex(to));
     if (length < SHORTEST_EDGE * bandwidth) return null;
-    const strip = stripAlong(this.chainBetween(from, to), bandwidth, REACH * bandwidth);
+    const chain = chainBetween(this.hull, this.places[from], this.places[to]);
+    const strip = stripAlong(chain, bandwidth, REACH * bandwidth);
     if (strip === null) return null;
     this.points.gather(strip);
     return fitWallLine(this.points, strip, bandwidth);
@@ -167,19 +180,6 @@ class Refining {
     }
     if (line !== null) return squaredDistanceToSegment(...corner, ...a, ...b) <= noise ** 2;
     return distance(corner, a) <= reach && distance(corner, b) <= reach;
-  }
-
-  /** The stretch of hull an edge stands for. */
-  private chainBetween(from: number, to: number): Float64Array {
-    const n = this.hull.length / 2;
-    const steps = (this.places[to] - this.places[from] + n) % n;
-    const chain = new Float64Array(2 * steps + 2);
-    for (let k = 0; k <= steps; k++) {
-      const v = (this.places[from] + k) % n;
-      chain[2 * k] = this.hull[2 * v];
-      chain[2 * k + 1] = this.hull[2 * v + 1];
-    }
-    return chain;
   }
 
   private vertex(v: number): Point {

@@ -8,7 +8,7 @@ import { settleRings } from './settle-rings.ts';
 import { visvalingam } from './visvalingam.ts';
 
 /** The passes that only drop vertices. */
-export type SimplifyingPass = Exclude<RegularisationPass, 'corners'>;
+export type SimplifyingPass = Exclude<RegularisationPass, 'noise' | 'corners'>;
 
 export interface Tolerances {
   /** Radial distance and Douglas-Peucker, m. */

@@ -29,11 +29,13 @@ export class StripPoints {
   gather(strip: Strip): void {
     this.size = 0;
     const { minX, minY, cell, columns, rows, start } = this.grid;
-    const [low, high] = extent(strip, 'y', Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY)!;
+    const corners = cornersOf(strip);
+    const low = Math.min(corners[1], corners[3], corners[5], corners[7]);
+    const high = Math.max(corners[1], corners[3], corners[5], corners[7]);
     const firstRow = Math.max(0, Math.floor((low - minY) / cell));
     const lastRow = Math.min(rows - 1, Math.floor((high - minY) / cell));
     for (let row = firstRow; row <= lastRow; row++) {
-      const span = extent(strip, 'x', minY + (row - ROUNDING) * cell, minY + (row + 1 + ROUNDING) * cell);
+      const span = extent(corners, minY + (row - ROUNDING) * cell, minY + (row + 1 + ROUNDING) * cell);
       if (span === null) continue;
       const first = Math.max(0, Math.floor((span[0] - minX) / cell - ROUNDING));
       const last = Math.min(columns - 1, Math.floor((span[1] - minX) / cell + ROUNDING));
@@ -64,29 +66,28 @@ export class StripPoints {
   }
 }
 
-/** Least and greatest x (or y) of a strip between two heights y; null where it does not reach. */
-function extent(
-  { x, y, ux, uy, along, across }: Strip,
-  axis: 'x' | 'y',
-  low: number,
-  high: number,
-): readonly [number, number] | null {
-  let least = Number.POSITIVE_INFINITY;
-  let most = Number.NEGATIVE_INFINITY;
-  const corner = (k: number): readonly [number, number] => {
+/** Corners in order, x, y each. */
+function cornersOf({ x, y, ux, uy, along, across }: Strip): Float64Array {
+  const corners = new Float64Array(8);
+  for (let k = 0; k < 4; k++) {
     const a = along[k === 0 || k === 3 ? 0 : 1];
     const b = across[k < 2 ? 0 : 1];
-    return [x + a * ux - b * uy, y + a * uy + b * ux];
-  };
-  for (let k = 0; k < 4; k++) {
-    const [ax, ay] = corner(k);
-    const [bx, by] = corner((k + 1) % 4);
+    corners[2 * k] = x + a * ux - b * uy;
+    corners[2 * k + 1] = y + a * uy + b * ux;
+  }
+  return corners;
+}
+
+/** Least and greatest x of a strip between two heights y; null where it does not reach. */
+function extent(corners: Float64Array, low: number, high: number): readonly [number, number] | null {
+  let least = Number.POSITIVE_INFINITY;
+  let most = Number.NEGATIVE_INFINITY;
+  for (let k = 0; k < 8; k += 2) {
+    const ax = corners[k];
+    const ay = corners[k + 1];
+    const bx = corners[(k + 2) & 7];
+    const by = corners[(k + 3) & 7];
     if (Math.max(ay, by) < low || Math.min(ay, by) > high) continue;
-    if (axis === 'y') {
-      least = Math.min(least, ay, by);
-      most = Math.max(most, ay, by);
-      continue;
-    }
     // The part of this side between the heights.
     const slope = ay === by ? 0 : (bx - ax) / (by - ay);
     const enter = ay === by ? ax : ax + (Math.min(Math.max(ay, low), high) - ay) * slope;

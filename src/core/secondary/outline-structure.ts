@@ -53,6 +53,6 @@ export function outlineStructure(
   const epsilon = Math.min(options.secondaryEpsilon, loose);
   const outer = isOpen ? hull : concave;
   const sides = simplifyRing(outer, { epsilon, areaEpsilon: 0, passes: ['douglas-peucker'] });
-  const [outline] = restoreCorners([sides], [outer], points, noise);
+  const [outline] = restoreCorners([sides], [outer], points, { bandwidth: noise });
   return { outline, completion: isOpen ? 'hull' : 'none' };
 }

@@ -43,7 +43,9 @@ export function findWallFaces(slice: Slice, options: Options, context: StageCont
   const hulls = polygons.map(({ outer }) => outer);
   const found = noiseAlong(evenSample(slice.xy, SAMPLE), slice.spacing, simplified(hulls, slice.spacing));
   const noise = Math.max(found, LEAST_NOISE_SPACINGS * slice.spacing);
-  const edges = new RingEdges(restoreCorners(simplified(hulls, 2 * noise), hulls, slice, noise));
+  const edges = new RingEdges(
+    restoreCorners(simplified(hulls, 2 * noise), hulls, slice, { bandwidth: noise }),
+  );
   return {
     noise,
     reach: FACE_DEVIATIONS * noise,

@@ -88,7 +88,8 @@ export function drawPass(pass: string, { boundary, regularise }: Results): Drawi
   const after = regularise.passes[at].polygons;
   const view = topView(boundsOfAll([...ringsOf(boundary.polygons), ...ringsOf(after)]));
   const [from, to] = [vertexCount(before), vertexCount(after)];
-  const dropped = droppedVertices(before, after);
+  // A pass that leaves as many has only moved them.
+  const dropped = from === to ? new Float64Array(0) : droppedVertices(before, after);
   return {
     height: view.height,
     pixelsPerMetre: view.pixelsPerMetre,

@@ -18,8 +18,8 @@ test('one storey: the names people build on', async () => {
     'slice.csv',
     'rooms.csv',
     'picture-03-slice.svg',
-    'picture-13-plan.svg',
-    'picture-14-model.svg',
+    'picture-14-plan.svg',
+    'picture-15-model.svg',
   ]);
 });
 
