@@ -68,11 +68,13 @@ export function combine(
  *
  * Where rings touch, the extruded edge would have four faces, and rounding may even have them cross; a square of half
  * a millimetre is knocked out there.
+ *
+ * @param scale makes what counts as touching and the squares so many times larger
  */
-export function separatePinches(polygons: readonly Polygon[]): Polygon[] {
+export function separatePinches(polygons: readonly Polygon[], scale = 1): Polygon[] {
   let current = [...polygons];
   for (let round = 0; round < PINCH_ROUNDS; round++) {
-    const pinches = pinchesOf(current);
+    const pinches = pinchesOf(current, scale);
     if (pinches.length === 0) break;
     current = combine('difference', current, pinches);
   }
@@ -133,21 +135,23 @@ function toRing(node: PolyPath64, origin: Origin, turn: 'counter-clockwise' | 'c
 }
 
 /** Squares around the vertices of an area that lie on an edge they do not belong to. */
-export function pinchesOf(polygons: readonly Polygon[]): Polygon[] {
+export function pinchesOf(polygons: readonly Polygon[], scale = 1): Polygon[] {
   const edges = edgesOf(polygons);
   // In order of x, each edge looks at few vertices.
   const order = edges.map((_, i) => i).sort((i, j) => edges[i].ax - edges[j].ax);
   const pinches = new Set<number>();
   edges.forEach((edge, e) => {
-    const [low, high] = [Math.min(edge.ax, edge.bx) - TOUCH, Math.max(edge.ax, edge.bx) + TOUCH];
+    const touch = scale * TOUCH;
+    const [low, high] = [Math.min(edge.ax, edge.bx) - touch, Math.max(edge.ax, edge.bx) + touch];
     for (let k = firstFrom(order, edges, low); k < order.length && edges[order[k]].ax <= high; k++) {
       const { ax, ay } = edges[order[k]];
       const isOwn = order[k] === e || order[k] === edge.next;
-      const reach = edges[order[k]].polygon === edge.polygon ? TOUCH : APART;
+      const reach = edges[order[k]].polygon === edge.polygon ? touch : APART;
       if (!isOwn && distanceToEdge(ax, ay, edge) < reach) pinches.add(order[k]);
     }
   });
-  return [...pinches].map((i) => ({ outer: squareAround(edges[i].ax, edges[i].ay, PINCH_HALF), holes: [] }));
+  const half = scale * PINCH_HALF;
+  return [...pinches].map((i) => ({ outer: squareAround(edges[i].ax, edges[i].ay, half), holes: [] }));
 }
 
 interface Edge {
