@@ -200,6 +200,14 @@ describe('robust', () => {
     expect(run(xy, { secondaryCount: 'auto' }).boundaries).toEqual([]);
   });
 
+  test('a stub as thin as a partition is not certain, however short; a slender column is', () => {
+    const stub = room(rectangle(3, 2, 0.15, 0.5));
+    expect(run(stub, { secondaryCount: 'auto' }).boundaries).toEqual([]);
+    expect(run(stub, { secondaryCount: 1 }).boundaries.length).toBe(1);
+    const turned = [3, 2, 3.17, 2.17, 3, 2.34, 2.83, 2.17];
+    expect(run(room(turned), { secondaryCount: 'auto' }).boundaries.length).toBe(1);
+  });
+
   test('two faces belong together when a few points show the side between them', () => {
     const random = createRandom(9);
     const [left, right] = [3, 3.7].map((x) =>
