@@ -1,5 +1,5 @@
 import type { StageContext } from '../context.ts';
-import { pointInPolygon } from '../geometry/rings.ts';
+import { pointInPolygon, ringsOf } from '../geometry/rings.ts';
 import { type Clusters, clusterPoints } from '../kmeans.ts';
 import type { Options } from '../params.ts';
 import { createRandom, type Random } from '../random.ts';
@@ -8,13 +8,8 @@ import { averageDistance } from './average-distance.ts';
 import { outlinePoints } from './outline-points.ts';
 import { pointsInStroke } from './points-in-stroke.ts';
 import { proposeCount } from './propose-count.ts';
-import {
-  distanceToPolygons,
-  type FoundStructure,
-  pickPoints,
-  type StructureSearch,
-  typeOf,
-} from './structure.ts';
+import { RingEdges } from './ring-edges.ts';
+import { type FoundStructure, pickPoints, type StructureSearch, typeOf } from './structure.ts';
 
 /**
  * A cluster with more than this share of its points within a stroke of the primary boundary holds walls only.
@@ -124,8 +119,9 @@ function wallClusters(
   { strokeWidth }: Options,
 ): boolean[] {
   const near = new Uint32Array(sizes.length);
+  const edges = new RingEdges(ringsOf(primary));
   for (let i = 0; i < clusterOf.length; i++) {
-    if (distanceToPolygons(xy[2 * i], xy[2 * i + 1], primary) <= strokeWidth) near[clusterOf[i]]++;
+    if (edges.distanceTo(xy[2 * i], xy[2 * i + 1]) <= strokeWidth) near[clusterOf[i]]++;
   }
   return Array.from(sizes, (size, cluster) => near[cluster] > HUGGING_SHARE * size);
 }

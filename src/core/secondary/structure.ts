@@ -1,6 +1,6 @@
 import { boundsOf, pointInRing } from '../geometry/rings.ts';
 import { squaredDistanceToSegment } from '../geometry/segments.ts';
-import type { ClusterSearch, Polygon, Ring, SecondaryBoundary } from '../types.ts';
+import type { ClusterSearch, Ring, SecondaryBoundary } from '../types.ts';
 
 /** A structure whose bounding box has no longer side than this, m, may be a column. */
 const LONGEST_COLUMN = 1.5;
@@ -53,15 +53,6 @@ export function distanceToRing(x: number, y: number, ring: Ring): number {
     least = Math.min(least, squaredDistanceToSegment(x, y, ring[j], ring[j + 1], ring[i], ring[i + 1]));
   }
   return Math.sqrt(least);
-}
-
-/** Distance from a point to the nearest edge of any ring of the polygons. */
-export function distanceToPolygons(x: number, y: number, polygons: readonly Polygon[]): number {
-  let least = Infinity;
-  for (const { outer, holes } of polygons) {
-    for (const ring of [outer, ...holes]) least = Math.min(least, distanceToRing(x, y, ring));
-  }
-  return least;
 }
 
 /** The points named, x, y each. */

@@ -19,6 +19,8 @@ import { completeShell } from '../../../src/core/secondary/complete-shell.ts';
 import { groupPoints } from '../../../src/core/secondary/point-groups.ts';
 import { pointsInStroke } from '../../../src/core/secondary/points-in-stroke.ts';
 import { proposeCount } from '../../../src/core/secondary/propose-count.ts';
+import { RingEdges } from '../../../src/core/secondary/ring-edges.ts';
+import { distanceToRing } from '../../../src/core/secondary/structure.ts';
 import { findWallFaces } from '../../../src/core/secondary/wall-faces.ts';
 import { findSecondary } from '../../../src/core/secondary.ts';
 import type { Slice } from '../../../src/core/types.ts';
@@ -425,6 +427,41 @@ describe('proposeCount', () => {
 
   test('two points suggest nothing', () => {
     expect(proposeCount(Float64Array.of(0, 0, 1, 1, 0, 0), 1)).toBe(0);
+  });
+});
+
+describe('RingEdges', () => {
+  /** Outlines as rough as scans give them, and one that folds back beside itself. */
+  const rough = (vertices: number, wobble: number, random: Random) =>
+    Float64Array.from({ length: 2 * vertices }, (_, i) => {
+      const angle = (2 * Math.PI * (i >> 1)) / vertices;
+      return (i % 2 === 0 ? 5 * Math.cos(angle) : 3 * Math.sin(angle)) * (1 - wobble * random());
+    });
+
+  test('finds the nearest edge of many, as looking at each one does', () => {
+    const random = createRandom(12);
+    for (const [vertices, wobble] of [
+      [4, 0],
+      [9, 0.3],
+      [700, 0.2],
+      [2000, 0.9],
+    ]) {
+      const rings = [rough(vertices, wobble, random), rough(vertices, wobble, random).map((v) => v / 3)];
+      const edges = new RingEdges(rings);
+      for (let k = 0; k < 300; k++) {
+        const [x, y] = [14 * (random() - 0.5), 10 * (random() - 0.5)];
+        const least = Math.min(...rings.map((ring) => distanceToRing(x, y, ring)));
+        expect(edges.distanceTo(x, y)).toBeCloseTo(least, 9);
+      }
+    }
+  });
+
+  test('of edges as near as each other the first counts, and past says how far beyond its ends a point lies', () => {
+    const edges = new RingEdges([Float64Array.from(rectangle(0, 0, 4, 3))]);
+    edges.project(5, -1);
+    expect([edges.edge, edges.along, edges.across, edges.past]).toEqual([0, 5, -1, 1]);
+    edges.project(2, 1.5);
+    expect([edges.edge, edges.across, edges.past]).toEqual([0, 1.5, 0]);
   });
 });
 
