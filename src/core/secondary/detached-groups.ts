@@ -9,7 +9,7 @@ import { leastWidth } from './hull-boxes.ts';
 import { cutGroup, groupOffWalls, type OffWallGroup } from './off-wall-groups.ts';
 import { outlineStructure, type StructureOutline } from './outline-structure.ts';
 import { pointsOf } from './point-groups.ts';
-import { type FoundStructure, type StructureSearch, typeOf } from './structure.ts';
+import { type FoundStructure, isWallPiece, type StructureSearch, typeOf } from './structure.ts';
 import { findWallFaces, type WallFaces } from './wall-faces.ts';
 
 /** Smaller groups are no structure. */
@@ -20,11 +20,6 @@ const LEAST_WIDTH = 0.05;
 const LARGEST_GAP_SPACINGS = 4;
 /** Narrower things, m, are at a wall the end of a partition, 10 to 15 cm thick, and in a room seldom columns. */
 const LEAST_CERTAIN_WIDTH = 0.2;
-/**
- * Area by squared perimeter, 1/16 for a square: below this a group is a free-standing piece of wall (about 1
- * to 6).
- */
-const WALL_COMPACTNESS = 0.03;
 /** What touches a wall stands free of it when points show this share of the side that faces the wall. */
 const FACING_SHARE = 0.6;
 
@@ -141,8 +136,4 @@ function byLikelihood(a: Candidate, b: Candidate): number {
 /** Whether it may be a piece of a wall. */
 function isThin(outline: Ring): boolean {
   return isWallPiece(outline) || leastWidth(convexHull(outline)) < LEAST_CERTAIN_WIDTH;
-}
-
-function isWallPiece(outline: Ring): boolean {
-  return signedArea(outline) < WALL_COMPACTNESS * perimeter(outline) ** 2;
 }

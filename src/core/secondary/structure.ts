@@ -1,4 +1,4 @@
-import { boundsOf, pointInRing } from '../geometry/rings.ts';
+import { boundsOf, perimeter, pointInRing, signedArea } from '../geometry/rings.ts';
 import { squaredDistanceToSegment } from '../geometry/segments.ts';
 import type { ClusterSearch, Ring, SecondaryBoundary } from '../types.ts';
 
@@ -10,6 +10,11 @@ const LONGEST_COLUMN = 1.5;
 const SOLID_SHARE = 0.2;
 /** Points within this share of the shorter side of an outline lie on it. */
 const FACE_SHARE = 0.25;
+/**
+ * Area by squared perimeter, 1/16 for a square: below this a structure is a free-standing piece of wall (about 1
+ * to 6).
+ */
+const WALL_COMPACTNESS = 0.03;
 
 /** A structure found in a slice. */
 export interface FoundStructure {
@@ -43,6 +48,11 @@ export function typeOf(outline: Ring, xy: Float64Array): SecondaryBoundary['type
   }
   if (inside > (SOLID_SHARE * xy.length) / 2) return 'other';
   return Math.max(maxX - minX, maxY - minY) <= LONGEST_COLUMN ? 'column' : 'shaft';
+}
+
+/** Whether an outline is as long and thin, or as ragged, as a piece of a wall. */
+export function isWallPiece(outline: Ring): boolean {
+  return signedArea(outline) < WALL_COMPACTNESS * perimeter(outline) ** 2;
 }
 
 /** Distance from a point to the nearest edge of a ring. */

@@ -50,7 +50,7 @@ function run(xy: Float64Array, given: Given) {
   const { context, warnings } = listen();
   const strokeTest = createStrokeTest();
   const result = findSecondary(slice, regularised, options, { ...context, strokeTest });
-  return { ...result, codes: codesOf(warnings), regularised };
+  return { ...result, warnings, codes: codesOf(warnings), regularised };
 }
 
 interface Shape {
@@ -250,9 +250,19 @@ describe('robust', () => {
   test('what would cover the plan is left out, and said', () => {
     const noisy = { count: 900, noise: 0.01, random: createRandom(2) };
     const xy = Float64Array.from([...room(), ...outlinePoints(rectangle(0.5, 0.5, 7, 4), noisy)]);
-    const { boundaries, codes } = run(xy, { secondaryCount: 'auto' });
+    const { boundaries, codes, warnings } = run(xy, { secondaryCount: 'auto' });
     expect(boundaries).toEqual([]);
     expect(codes).toEqual(['secondary/covers-plan', 'secondary/fewer-found']);
+    expect(warnings[0].hint).not.toContain('robust');
+  });
+
+  test('a piece of wall that was asked for is said to be one', () => {
+    const xy = room(rectangle(2, 2, 3, 0.12), rectangle(6, 3, 0.4, 0.4));
+    expect(run(xy, { secondaryCount: 1 }).codes).toEqual([]);
+    const { boundaries, warnings } = run(xy, { secondaryCount: 2 });
+    expect(boundaries.length).toBe(2);
+    expect(codesOf(warnings)).toEqual(['secondary/sliver']);
+    expect(warnings[0].message).toContain('Secondary boundary 2 is');
   });
 
   test('an epsilon larger than the structure leaves its shape', () => {
@@ -317,6 +327,18 @@ describe('paper', () => {
     );
   });
 });
+
+test.each([
+  [1, false],
+  [3, true],
+] as const)(
+  'the method of the paper, asked for %i, says of slivers that they are: %s',
+  (secondaryCount, isSaid) => {
+    const given: Given = { preset: 'paper', secondaryMethod: 'paper', secondaryCount };
+    const { codes } = run(metres(paperSlice('room-1a').xy), given);
+    expect(codes.includes('secondary/sliver')).toBe(isSaid);
+  },
+);
 
 describe('the search of the paper', () => {
   const given: Given = { preset: 'paper', secondaryCount: 1, secondaryMethod: 'paper', secondaryRounds: 3 };
