@@ -118,12 +118,15 @@ function stretchOf({ from, to }: Gap, reach: number): Polygon {
 
 function drawSecondary(secondary: readonly SecondaryBoundary[], planToSheet: Affine): SheetItem[] {
   return secondary.flatMap(({ outline, operation, type }, i): SheetItem[] => {
-    const rings = linesOf(outline, planToSheet);
+    const rings = ringsOf([outline]).map((ring) => mapped(ring, planToSheet));
     const lines = HATCHES[operation].flatMap(({ angle, spacing }) => hatch(rings, angle, spacing));
     const data = { kind: 'secondary', operation, type };
     return [
       { kind: 'path', style: 'hatch', lines, isClosed: false },
-      { kind: 'path', style: 'secondary', lines: rings, isClosed: true, id: `secondary-${i}`, data },
+      {
+        ...({ kind: 'path', style: 'secondary', lines: linesOf(outline, planToSheet) } as const),
+        ...{ isClosed: true, id: `secondary-${i}`, data },
+      },
     ];
   });
 }
