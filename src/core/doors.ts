@@ -1,4 +1,5 @@
 import { FloorPlanError } from './errors.ts';
+import { readQuantity, unitWords } from './quantity.ts';
 
 /** A door a person cuts by hand ([Stojanovic19] §3). */
 export interface DoorCut {
@@ -26,17 +27,18 @@ const MOST_SIZE = 20;
 
 /**
  * Reads `none`, or `gaps` and doors `x,y,width[,height]` in any order, separated by semicolons; the inverse of
- * {@link formatDoors}.
+ * {@link formatDoors}. Widths and heights are metres, or have a unit: `3.2,0,90cm`.
  *
+ * @param pixelsPerMetre null where it is not known: then no size may be in pixels
  * @throws option/invalid naming the entry
  */
-export function parseDoors(text: string): Doors {
+export function parseDoors(text: string, pixelsPerMetre: number | null = null): Doors {
   if (text.trim() === 'none') return { gaps: false, cuts: [] };
   let gaps = false;
   const cuts: DoorCut[] = [];
   text.split(';').forEach((entry, i) => {
     if (entry.trim() === 'gaps') gaps = true;
-    else cuts.push(parseCut(entry.trim(), i + 1));
+    else cuts.push(parseCut(entry.trim(), i + 1, pixelsPerMetre));
   });
   return { gaps, cuts };
 }
@@ -50,22 +52,33 @@ export function formatDoors({ gaps, cuts }: Doors): string {
   return entries.length === 0 ? 'none' : entries.join(';');
 }
 
-function parseCut(entry: string, number: number): DoorCut {
-  const fields = entry.split(',').map((field) => (field.trim() === '' ? Number.NaN : Number(field)));
+function parseCut(entry: string, number: number, pixelsPerMetre: number | null): DoorCut {
+  const fields = entry
+    .split(',')
+    .map((field, i) => (i < 2 ? readPlace(field) : readSize(field, pixelsPerMetre)));
   const [x, y, width, height] = fields;
   const isComplete = fields.length === 3 || fields.length === 4;
   const isSound = fields.every(Number.isFinite) && fields.slice(2).every(isDoorSize);
   if (!isComplete || !isSound) {
     throw new FloorPlanError(
       'option/invalid',
-      `doors: expected none, gaps or x,y,width[,height] with ${LEAST_SIZE} to ${MOST_SIZE} m as entry ${number}, found "${entry}"`,
+      `doors: expected none, gaps or x,y,width[,height] with sizes of ${LEAST_SIZE} to ${MOST_SIZE} m as entry ${number}, found "${entry}"`,
       {
-        hint: 'A door is x,y in source coordinates, width and height in metres: 3.2,0,0.9; several are joined by semicolons.',
+        hint: `A door is x,y in source coordinates, width and height in metres or with a unit (${unitWords(1)}): 3.2,0,0.9 or 3.2,0,90cm; several are joined by semicolons.`,
         detail: { option: 'doors', entry: number },
       },
     );
   }
   return height === undefined ? { x, y, width } : { x, y, width, height };
+}
+
+function readPlace(text: string): number {
+  return text.trim() === '' ? Number.NaN : Number(text);
+}
+
+function readSize(text: string, pixelsPerMetre: number | null): number {
+  const size = readQuantity(text, 1, pixelsPerMetre);
+  return size === 'pixels' ? Number.NaN : size;
 }
 
 /** Whether a door may be so wide or high. @param size m */

@@ -131,6 +131,7 @@ function orientFlat(scan: Scan, up: Axis, options: Options, context: StageContex
   context.warn({
     code: 'frame/flat-cloud',
     message: `All points have the same height along ${up}: the cloud is taken as a slice.`,
+    hint: 'If it should have heights, export it again with all three coordinates.',
   });
   const known = statedUnit(scan, options);
   const unit = known ?? judgeUnitFrom([], largestExtent(trimmedBounds(scan.positions)));

@@ -1,4 +1,4 @@
-import { parseDoors } from './doors.ts';
+import { formatDoors, parseDoors } from './doors.ts';
 import { FloorPlanError } from './errors.ts';
 import {
   type AutoNumberRow,
@@ -14,7 +14,7 @@ import { readQuantity, unitWords } from './quantity.ts';
 
 /**
  * Completes and checks what a person gave: the preset's values, then theirs. Lengths and areas become metres and square
- * metres, the paper's pixels by `pixelsPerMetre`.
+ * metres, the paper's pixels by `pixelsPerMetre`; sizes of doors too.
  *
  * @param given any subset of the parameters; `undefined` counts as not given
  * @param isSlice whether the scan is a ready slice, whose automatic preset is `paper`
@@ -32,8 +32,7 @@ export function resolveOptions(given: GivenValues, { isSlice = false } = {}): Op
   for (const name of PARAM_NAMES) {
     const row: ParamRow = PARAMS[name];
     const found = given[name] ?? presetValue(row, resolved, pixelsPerMetre);
-    const isText = typeof found === 'string' && (row.kind === 'number' || row.kind === 'auto-number');
-    const value = isText && powerOf(row) !== 0 ? parseNumber(row, found, pixelsPerMetre) : found;
+    const value = typeof found === 'string' ? inMetres(row, found, pixelsPerMetre) : found;
     if (given[name] === undefined) checkPresetValue(name, value, pixelsPerMetre);
     else checkValue(name, value, found);
     options[name] = value;
@@ -57,6 +56,14 @@ export function parseParam(name: string, text: string): GivenValues {
   return { [name]: value };
 }
 
+/** Quantities with a unit as metres; other texts as they are. */
+function inMetres(row: ParamRow, text: string, pixelsPerMetre: number): unknown {
+  // Of several doors it matters which one is wrong.
+  if (row.kind === 'doors') return formatDoors(parseDoors(text, pixelsPerMetre));
+  const isQuantity = (row.kind === 'number' || row.kind === 'auto-number') && powerOf(row) !== 0;
+  return isQuantity ? parseNumber(row, text, pixelsPerMetre) : text;
+}
+
 function presetValue(row: ParamRow, preset: string, pixelsPerMetre: number): unknown {
   if (preset !== 'paper' || row.paper === undefined) return row.default;
   if (typeof row.paper !== 'object' || !('px' in row.paper)) return row.paper;
@@ -72,6 +79,8 @@ function parseText(row: ParamRow, text: string): unknown {
       return text === '' || text === 'true' ? true : text === 'false' ? false : text;
     case 'choice-list':
       return text.split(',').map((part) => part.trim());
+    case 'doors':
+      return /px/i.test(text) ? 'pixels' : formatDoors(parseDoors(text));
     default:
       return text;
   }
@@ -97,8 +106,6 @@ function powerOf({ unit }: NumberRow | AutoNumberRow): 0 | 1 | 2 {
 /** @param found what the person gave, for the message */
 function checkValue(name: ParamName, value: unknown, found: unknown): void {
   const row: ParamRow = PARAMS[name];
-  // Of several doors it matters which one is wrong.
-  if (row.kind === 'doors' && typeof value === 'string') parseDoors(value);
   const expected = expectation(row, value);
   if (expected === null) return;
   const words = Array.isArray(found) ? found.join(',') : String(found);

@@ -473,7 +473,7 @@ export const PARAMS = {
     default: 'none',
     stage: 'plan',
     label: 'Doors',
-    doc: 'Doors cut out of the walls: gaps takes every bridged gap 0.6 to 3 m wide; x,y,width[,height] cuts one at the wall nearest that place (source coordinates; width and height in metres); both join by semicolons.',
+    doc: 'Doors cut out of the walls: gaps takes every bridged gap 0.6 to 3 m wide; x,y,width[,height] cuts one at the wall nearest that place (source coordinates; width and height in metres, or with a unit as in 90cm); both join by semicolons.',
     source: '[Stojanovic19] §3',
   }),
   floorSlab: flag({

@@ -3,7 +3,7 @@ import { polygonArea, signedArea } from './geometry/rings.ts';
 import type { Options } from './params.ts';
 import { findDetachedGroups } from './secondary/detached-groups.ts';
 import { findByClusters } from './secondary/paper-clusters.ts';
-import type { FoundStructure, StructureSearch } from './secondary/structure.ts';
+import { type FoundStructure, isWallPiece, type StructureSearch } from './secondary/structure.ts';
 import type {
   Operation,
   Polygon,
@@ -22,7 +22,7 @@ const LARGEST_SHARE = 0.5;
  * `paper` is the paper's clustering with the stroke filter, which keeps the innermost points, so its ring is
  * smaller than the structure by the thickness of the structure's walls; `robust` outlines groups of points
  * detached from the walls by their outer face, as the room sees it. Both look for `secondaryCount`, or propose a
- * number, and warn of what they could not find; what would eat the plan is left out.
+ * number, and warn of what they could not find and of slivers; what would eat the plan is left out.
  *
  * @param slice metres, plan frame
  * @param regularised primary boundary
@@ -44,7 +44,8 @@ export function findSecondary(
     found,
     searches = [],
   }: StructureSearch = search(slice, polygons, options, context);
-  const kept = withoutPlanCovers(found, polygons, context);
+  const kept = withoutPlanCovers(found, polygons, options, context);
+  warnOfSlivers(kept, options, context);
   if (kept.length < wanted) warnOfFewer(kept.length, wanted, options, context);
   return { clusters, searches, boundaries: kept.map((structure, k) => asBoundary(structure, k, options)) };
 }
@@ -52,6 +53,7 @@ export function findSecondary(
 function withoutPlanCovers(
   found: readonly FoundStructure[],
   primary: readonly Polygon[],
+  options: Options,
   context: StageContext,
 ): readonly FoundStructure[] {
   const area = primary.reduce((sum, polygon) => sum + polygonArea(polygon), 0);
@@ -61,9 +63,30 @@ function withoutPlanCovers(
     context.warn({
       code: 'secondary/covers-plan',
       message: `A secondary boundary would cover ${(100 * share).toFixed(0)} % of the plan; it is left out.`,
-      hint: 'Ask for another number of secondary boundaries, pick another cluster, or take the robust method.',
+      hint:
+        options.secondaryMethod === 'paper'
+          ? 'Ask for another number of secondary boundaries, pick another cluster, or take the robust method.'
+          : 'Take a level without what stands along the walls, or ask for another number of secondary boundaries.',
     });
     return false;
+  });
+}
+
+function warnOfSlivers(
+  found: readonly FoundStructure[],
+  { secondaryMethod }: Options,
+  context: StageContext,
+): void {
+  const slivers = [...found.keys()].filter((k) => isWallPiece(found[k].outline));
+  if (slivers.length === 0) return;
+  const numbers = slivers.map((k) => k + 1).join(', ');
+  context.warn({
+    code: 'secondary/sliver',
+    message: `Secondary ${slivers.length === 1 ? `boundary ${numbers} is` : `boundaries ${numbers} are`} as long and thin, or as ragged, as a piece of a wall.`,
+    hint:
+      secondaryMethod === 'paper'
+        ? 'Ask for fewer secondary boundaries, or take the robust method.'
+        : 'Ask for fewer secondary boundaries, or let their number be auto.',
   });
 }
 

@@ -257,5 +257,5 @@ export interface Warning {
   readonly code: string;
   readonly message: string;
   /** One thing to try. */
-  readonly hint?: string;
+  readonly hint: string;
 }

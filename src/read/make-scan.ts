@@ -1,3 +1,4 @@
+import { countOf } from '../core/count-words.ts';
 import type { Scan, Vec3, Warning } from '../core/types.ts';
 import { orderByCell } from './cell-order.ts';
 import type { OpenCloud } from './cloud-reader.ts';
@@ -62,13 +63,14 @@ function warningsOf({ dropped, read, cell, count }: Thinning, target: number): W
   if (dropped > 0) {
     warnings.push({
       code: 'read/points-dropped',
-      message: `${dropped} of ${read} points have no place, or one beyond ±${FARTHEST.toExponential(0)}, and were left out.`,
+      message: `${dropped.toLocaleString('en-GB')} of ${countOf(read, 'point')} left out: without a place, or beyond ±${FARTHEST.toExponential(0)}.`,
+      hint: 'If points are missing in the plan, export the cloud again without invalid points.',
     });
   }
   if (cell > target) {
     warnings.push({
       code: 'read/thinned-to-budget',
-      message: `To stay within the point budget the cloud was thinned to ${count} points, one a cell of ${cell} source units.`,
+      message: `To stay within the point budget the cloud was thinned to ${countOf(count, 'point')}, one a cell of ${cell} source units.`,
       hint: 'Raise the point budget where memory allows.',
     });
   }

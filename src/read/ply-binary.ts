@@ -1,3 +1,4 @@
+import { countOf } from '../core/count-words.ts';
 import { FloorPlanError } from '../core/errors.ts';
 import { ByteCursor } from './byte-cursor.ts';
 import type { PointChunk, ReadProgress } from './cloud-reader.ts';
@@ -181,7 +182,7 @@ function truncated({ cursor, vertex, name }: Decoder): FloorPlanError {
   const offset = cursor.offset + cursor.available;
   return new FloorPlanError(
     'input/truncated',
-    `${name}: expected ${vertex.count} points as the header says, found the end of the file at byte ${offset}`,
+    `${name}: expected ${countOf(vertex.count, 'point')} as the header says, found the end of the file at byte ${offset}`,
     { hint: 'The file seems cut off; copy or export it again.', detail: { offset, announced: vertex.count } },
   );
 }

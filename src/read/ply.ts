@@ -1,3 +1,4 @@
+import { countOf } from '../core/count-words.ts';
 import { FloorPlanError } from '../core/errors.ts';
 import type { OpenCloud, ReadFormat } from './cloud-reader.ts';
 import { columnsOfFields } from './field-names.ts';
@@ -108,7 +109,7 @@ function assertLongEnough(
   const { count } = elements[elements.length - 1];
   throw new FloorPlanError(
     'input/truncated',
-    `${name}: expected ${count} points as the header says, at least ${needed} bytes; found the end of the file at byte ${size}`,
+    `${name}: expected ${countOf(count, 'point')} as the header says, at least ${needed} bytes; found the end of the file at byte ${size}`,
     {
       hint: 'The file seems cut off; copy or export it again.',
       detail: { offset: size, needed, announced: count },

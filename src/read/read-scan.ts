@@ -1,3 +1,4 @@
+import { countOf } from '../core/count-words.ts';
 import { FloorPlanError } from '../core/errors.ts';
 import { checkSpread } from '../core/frame/check-spread.ts';
 import { judgeUnit } from '../core/frame/judge-unit.ts';
@@ -137,7 +138,7 @@ function assertPoints(name: string, thinning: Thinning): void {
   if (dropped === read) {
     throw new FloorPlanError(
       'input/not-finite',
-      `${name}: expected coordinates of up to ±${FARTHEST.toExponential(0)}, found none in ${read} points`,
+      `${name}: expected coordinates of up to ±${FARTHEST.toExponential(0)}, found none in ${countOf(read, 'point')}`,
       {
         hint: 'Export the cloud again, without invalid points.',
         detail: { dropped },
@@ -147,7 +148,7 @@ function assertPoints(name: string, thinning: Thinning): void {
   if (count < 3) {
     throw new FloorPlanError(
       'input/too-few-points',
-      `${name}: expected at least 3 distinct points, found ${count === 1 ? '1 point' : `${count} points`}`,
+      `${name}: expected at least 3 distinct points, found ${countOf(count, 'point')}`,
       { hint: 'Check that the file holds the whole cloud.', detail: { points: count } },
     );
   }

@@ -1,3 +1,4 @@
+import { countOf } from '../core/count-words.ts';
 import { FloorPlanError } from '../core/errors.ts';
 import type { PointChunk, ReadProgress } from './cloud-reader.ts';
 import { lineBlocks } from './line-blocks.ts';
@@ -52,7 +53,7 @@ export async function* readTextPoints(
 function tooFewRows(name: string, announced: number, found: number): FloorPlanError {
   return new FloorPlanError(
     'input/truncated',
-    `${name}: expected ${announced} points as the header says, found ${found} before the end of the file`,
+    `${name}: expected ${countOf(announced, 'point')} as the header says, found ${found} before the end of the file`,
     { hint: 'The file seems cut off; copy or export it again.', detail: { announced, found } },
   );
 }

@@ -29,7 +29,8 @@ export function extrude(polygon: Polygon, low: number, high: number): TriangleMe
     const [a, b, c] = [triangles[i], triangles[i + 1], triangles[i + 2]];
     indices.push(count + a, count + b, count + c, c, b, a);
   }
-  indices.push(...sideTriangles([polygon.outer, ...polygon.holes], count));
+  // One by one: an outline may have more sides than a call takes arguments.
+  for (const index of sideTriangles([polygon.outer, ...polygon.holes], count)) indices.push(index);
   return closeTJunctions({ positions, indices: Uint32Array.from(indices) }, ON_EDGE);
 }
 

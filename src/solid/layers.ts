@@ -67,7 +67,7 @@ function layersOf({ base, changes, openings, low, high }: Part): Layer[] {
   let whole = carve(base, changes);
   let sections = sectionsOf(whole, cuts);
   for (let round = 0; round < PINCH_ROUNDS; round++) {
-    const pinches = sections.flatMap(pinchesOf);
+    const pinches = sections.flatMap((section) => pinchesOf(section));
     if (pinches.length === 0) break;
     whole = combine('difference', whole, pinches);
     sections = sectionsOf(whole, cuts);

@@ -15,6 +15,8 @@ const MARGIN = 1e-3;
 const BULGE = 0.25;
 /** Half the width of the strip along the axis that must meet a wall for it to be the opening's own, m. */
 const AXIS = 1e-3;
+/** At an opening's ends a wall behind a corner may touch its own; so far from them, m, the two stand apart. */
+const END = 1e-2;
 
 /** The boxes of a storey's openings; those off every wall have none. */
 export function openingBoxes({ floor, walls, openings }: Storey): OpeningBox[] {
@@ -26,26 +28,45 @@ export function openingBoxes({ floor, walls, openings }: Storey): OpeningBox[] {
   });
 }
 
-/** As deep as the wall on the axis is there, however it bends; walls beside it stay whole. */
-function acrossWall(opening: Opening, walls: readonly Polygon[], reach: number): Polygon | null {
-  const { from, to } = opening;
+type Axis = Pick<Opening, 'from' | 'to'>;
+
+/** As deep as the wall on the axis is there, however it bends; walls beside it and behind its corners stay whole. */
+function acrossWall({ from, to }: Axis, walls: readonly Polygon[], reach: number): Polygon | null {
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
   if (length === 0) return null;
+  const [ex, ey] = [to[0] - from[0], to[1] - from[1]].map((d) => d * Math.min(END / length, 0.25));
+  const middle: Axis = { from: [from[0] + ex, from[1] + ey], to: [to[0] - ex, to[1] - ey] };
+  const own = depthOf(middle, walls, { low: -reach, high: reach });
+  if (own.low >= own.high) return null;
+  const { low, high } = depthOf({ from, to }, walls, { low: own.low - END, high: own.high + END });
+  return strip({ from, to }, low - MARGIN, high + MARGIN);
+}
+
+interface Depth {
+  /** Distances to the left of an axis, m. */
+  readonly low: number;
+  readonly high: number;
+}
+
+/** How far the wall on an axis reaches to both its sides, looked at within a depth; inverted where there is none. */
+function depthOf(opening: Axis, walls: readonly Polygon[], within: Depth): Depth {
+  const { from, to } = opening;
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
   const [nx, ny] = [(from[1] - to[1]) / length, (to[0] - from[0]) / length];
   const axis = [strip(opening, -AXIS, AXIS)];
   let [low, high] = [Infinity, -Infinity];
-  for (const piece of combine('intersection', walls, [strip(opening, -reach, reach)])) {
+  for (const piece of combine('intersection', walls, [strip(opening, within.low, within.high)])) {
     if (combine('intersection', [piece], axis).length === 0) continue;
     for (let i = 0; i < piece.outer.length; i += 2) {
       const aside = (piece.outer[i] - from[0]) * nx + (piece.outer[i + 1] - from[1]) * ny;
       [low, high] = [Math.min(low, aside), Math.max(high, aside)];
     }
   }
-  return low < high ? strip(opening, low - MARGIN, high + MARGIN) : null;
+  return { low, high };
 }
 
 /** The rectangle along an opening between two distances to the left of its axis. */
-function strip({ from, to }: Opening, low: number, high: number): Polygon {
+function strip({ from, to }: Axis, low: number, high: number): Polygon {
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
   const [nx, ny] = [(from[1] - to[1]) / length, (to[0] - from[0]) / length];
   const outer = Float64Array.of(

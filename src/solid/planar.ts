@@ -7,7 +7,16 @@ import {
   type PolyPath64,
   PolyTree64,
 } from 'clipper2-ts';
-import { orientRing, perimeter, polygonArea, signedArea } from '../core/geometry/rings.ts';
+import {
+  orientRing,
+  perimeter,
+  polygonArea,
+  ringsOf,
+  signedArea,
+  vertexCount,
+} from '../core/geometry/rings.ts';
+import { SegmentGrid } from '../core/geometry/segment-grid.ts';
+import { squaredDistanceToSegment } from '../core/geometry/segments.ts';
 import type { Polygon, Ring } from '../core/types.ts';
 
 /** Grid of the Booleans: steps of a micrometre, so lengths given in decimals come back digit for digit. */
@@ -68,11 +77,13 @@ export function combine(
  *
  * Where rings touch, the extruded edge would have four faces, and rounding may even have them cross; a square of half
  * a millimetre is knocked out there.
+ *
+ * @param scale makes what counts as touching and the squares so many times larger
  */
-export function separatePinches(polygons: readonly Polygon[]): Polygon[] {
+export function separatePinches(polygons: readonly Polygon[], scale = 1): Polygon[] {
   let current = [...polygons];
   for (let round = 0; round < PINCH_ROUNDS; round++) {
-    const pinches = pinchesOf(current);
+    const pinches = pinchesOf(current, scale);
     if (pinches.length === 0) break;
     current = combine('difference', current, pinches);
   }
@@ -132,64 +143,73 @@ function toRing(node: PolyPath64, origin: Origin, turn: 'counter-clockwise' | 'c
   return isDebris ? null : orientRing(ring, turn);
 }
 
-/** Squares around the vertices of an area that lie on an edge they do not belong to. */
-export function pinchesOf(polygons: readonly Polygon[]): Polygon[] {
-  const edges = edgesOf(polygons);
-  // In order of x, each edge looks at few vertices.
-  const order = edges.map((_, i) => i).sort((i, j) => edges[i].ax - edges[j].ax);
-  const pinches = new Set<number>();
-  edges.forEach((edge, e) => {
-    const [low, high] = [Math.min(edge.ax, edge.bx) - TOUCH, Math.max(edge.ax, edge.bx) + TOUCH];
-    for (let k = firstFrom(order, edges, low); k < order.length && edges[order[k]].ax <= high; k++) {
-      const { ax, ay } = edges[order[k]];
-      const isOwn = order[k] === e || order[k] === edge.next;
-      const reach = edges[order[k]].polygon === edge.polygon ? TOUCH : APART;
-      if (!isOwn && distanceToEdge(ax, ay, edge) < reach) pinches.add(order[k]);
+/** Squares around the vertices of an area that lie on an edge they do not belong to. Near-linear by a grid over the edges. */
+export function pinchesOf(polygons: readonly Polygon[], scale = 1): Polygon[] {
+  const { x, y, next, polygonOf } = edgesOf(polygons);
+  if (x.length === 0) return [];
+  const grid = gridOver(x, y, next);
+  const half = scale * PINCH_HALF;
+  const pinches: Polygon[] = [];
+  for (let v = 0; v < x.length; v++) {
+    const count = grid.around(x[v], y[v], scale * TOUCH);
+    let isPinch = false;
+    for (let k = 0; k < count && !isPinch; k++) {
+      const [a, b] = [grid.u[grid.found[k]], grid.v[grid.found[k]]];
+      if (a === v || b === v) continue;
+      const reach = polygonOf[a] === polygonOf[v] ? scale * TOUCH : APART;
+      isPinch = squaredDistanceToSegment(x[v], y[v], x[a], y[a], x[b], y[b]) < reach * reach;
     }
-  });
-  return [...pinches].map((i) => ({ outer: squareAround(edges[i].ax, edges[i].ay, PINCH_HALF), holes: [] }));
-}
-
-interface Edge {
-  readonly ax: number;
-  readonly ay: number;
-  readonly bx: number;
-  readonly by: number;
-  /** The edge that starts where this one ends. */
-  readonly next: number;
-  readonly polygon: number;
-}
-
-function edgesOf(polygons: readonly Polygon[]): Edge[] {
-  const edges: Edge[] = [];
-  polygons.forEach(({ outer, holes }, polygon) => {
-    for (const ring of [outer, ...holes]) {
-      const first = edges.length;
-      for (let i = 0; i < ring.length; i += 2) {
-        const j = (i + 2) % ring.length;
-        const ends = { ax: ring[i], ay: ring[i + 1], bx: ring[j], by: ring[j + 1] };
-        edges.push({ ...ends, next: first + j / 2, polygon });
-      }
-    }
-  });
-  return edges;
-}
-
-/** Binary search for the first edge that starts at `x` or to the right of it. */
-function firstFrom(order: readonly number[], edges: readonly Edge[], x: number): number {
-  let [low, high] = [0, order.length];
-  while (low < high) {
-    const middle = (low + high) >>> 1;
-    if (edges[order[middle]].ax < x) low = middle + 1;
-    else high = middle;
+    if (isPinch) pinches.push({ outer: squareAround(x[v], y[v], half), holes: [] });
   }
-  return low;
+  return pinches;
 }
 
-function distanceToEdge(x: number, y: number, { ax, ay, bx, by }: Edge): number {
-  const [dx, dy] = [bx - ax, by - ay];
-  const share = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)));
-  return Math.hypot(x - ax - share * dx, y - ay - share * dy);
+/** Edges by their first vertex. */
+interface Edges {
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+  /** The edge that starts where this one ends. */
+  readonly next: Int32Array;
+  readonly polygonOf: Int32Array;
+}
+
+function edgesOf(polygons: readonly Polygon[]): Edges {
+  const count = vertexCount(polygons);
+  const [x, y] = [new Float64Array(count), new Float64Array(count)];
+  const [next, polygonOf] = [new Int32Array(count), new Int32Array(count)];
+  let first = 0;
+  polygons.forEach((polygon, p) => {
+    for (const ring of ringsOf([polygon])) {
+      const size = ring.length / 2;
+      for (let k = 0; k < size; k++) {
+        x[first + k] = ring[2 * k];
+        y[first + k] = ring[2 * k + 1];
+        next[first + k] = first + ((k + 1) % size);
+        polygonOf[first + k] = p;
+      }
+      first += size;
+    }
+  });
+  return { x, y, next, polygonOf };
+}
+
+/** As many cells as edges: a long edge then passes about √n of them. */
+function gridOver(x: Float64Array, y: Float64Array, next: Int32Array): SegmentGrid {
+  const [minX, maxX, minY, maxY] = [...rangeOf(x), ...rangeOf(y)];
+  const [width, height] = [maxX - minX, maxY - minY];
+  const cell = Math.max(Math.sqrt((width * height) / x.length), Math.max(width, height) / x.length) || 1;
+  const grid = new SegmentGrid(x, y, { minX, minY, maxX, maxY }, cell);
+  for (let e = 0; e < x.length; e++) grid.add(e, next[e]);
+  return grid;
+}
+
+function rangeOf(values: Float64Array): readonly [least: number, most: number] {
+  let [least, most] = [Infinity, -Infinity];
+  for (const value of values) {
+    least = Math.min(least, value);
+    most = Math.max(most, value);
+  }
+  return [least, most];
 }
 
 const squareAround = (x: number, y: number, half: number): Ring =>

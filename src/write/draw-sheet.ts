@@ -2,16 +2,19 @@ import { orientRing, ringsOf } from '../core/geometry/rings.ts';
 import type { Gap, Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
 import { areaOf, combine } from '../solid/planar.ts';
 import { footprint, openingsAtCut } from '../solid/sections.ts';
+import { rounded } from './decimals.ts';
 import { drawDimensions, extentOf, planDimensions } from './dimensions.ts';
 import { drawOpenings, placeData } from './draw-openings.ts';
 import { hatch } from './hatch.ts';
 import { labelPoint } from './label-point.ts';
 import type { Product } from './plan-writer.ts';
+import { roundedPolygons } from './rounded-polygons.ts';
 import { HATCHES } from './secondary-hatch.ts';
 import {
   type Affine,
   chain,
   mapped,
+  SHEET_DIGITS,
   type Sheet,
   type SheetItem,
   type SheetLayer,
@@ -85,17 +88,16 @@ function drawWalls(storey: Storey, planToSheet: Affine): { cut: SheetItem[]; gap
   const thickness = Math.max(0, ...storey.walls.map((wall) => wall.thickness));
   const stretches = storey.gaps.map((gap) => stretchOf(gap, thickness * GAP_OVERLAP));
   const cut = stretches.length === 0 ? section : combine('difference', section, stretches);
-  const linesOf = (polygon: Polygon) => ringsOf([polygon]).map((ring) => mapped(ring, planToSheet));
   const inferred = stretches.flatMap((stretch, gap) =>
     combine('intersection', section, [stretch]).map((polygon) => ({ polygon, gap })),
   );
   return {
     cut: cut.map((polygon, i) => ({
-      ...({ kind: 'path', style: 'wall', lines: linesOf(polygon), isClosed: true } as const),
+      ...({ kind: 'path', style: 'wall', lines: linesOf(polygon, planToSheet), isClosed: true } as const),
       ...{ id: `wall-${i}`, data: { kind: 'wall' } },
     })),
     gaps: inferred.map(({ polygon, gap }, i) => ({
-      ...({ kind: 'path', style: 'inferred', lines: linesOf(polygon), isClosed: true } as const),
+      ...({ kind: 'path', style: 'inferred', lines: linesOf(polygon, planToSheet), isClosed: true } as const),
       ...{ id: `gap-${i}`, data: { kind: 'gap', gap, ...placeData(storey.gaps[gap]) } },
     })),
   };
@@ -121,7 +123,10 @@ function drawSecondary(secondary: readonly SecondaryBoundary[], planToSheet: Aff
     const data = { kind: 'secondary', operation, type };
     return [
       { kind: 'path', style: 'hatch', lines, isClosed: false },
-      { kind: 'path', style: 'secondary', lines: rings, isClosed: true, id: `secondary-${i}`, data },
+      {
+        ...({ kind: 'path', style: 'secondary', lines: linesOf(outline, planToSheet) } as const),
+        ...{ isClosed: true, id: `secondary-${i}`, data },
+      },
     ];
   });
 }
@@ -162,6 +167,16 @@ function drawLabels(storey: Storey, planToSheet: Affine, scale: number): SheetIt
           anchor: 'middle',
         }));
   });
+}
+
+/** The rings of a polygon as drawn, in the decimals that the sheet is written with; rounded with y up, as in the plan. */
+function linesOf(polygon: Polygon, planToSheet: Affine): Float64Array[] {
+  const place = (x: number, y: number) => {
+    const [across, down] = mapped(Float64Array.of(x, y), planToSheet);
+    return [rounded(across, SHEET_DIGITS), -rounded(down, SHEET_DIGITS)] as const;
+  };
+  const written = roundedPolygons(polygon, place).map((one) => one.rounded);
+  return ringsOf(written).map((ring) => ring.map((value, i) => (i % 2 === 0 ? value : -value)));
 }
 
 function isWiderThanDeep(outline: Polygon): boolean {

@@ -1,9 +1,11 @@
+import { ringsOf } from '../core/geometry/rings.ts';
 import { type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
 import type { Polygon, Storey, Unit } from '../core/types.ts';
-import { decimal } from './decimals.ts';
+import { decimal, rounded } from './decimals.ts';
 import { writeDxfObjects, writeDxfTables } from './dxf-tables.ts';
 import { DxfTags, type Extent } from './dxf-tags.ts';
 import type { Product } from './plan-writer.ts';
+import { roundedPolygons } from './rounded-polygons.ts';
 
 /** $INSUNITS by unit; a pixel is unitless. */
 const INSERT_UNITS: Record<Unit, number> = { m: 6, cm: 5, mm: 4, ft: 2, 'us-ft': 21, px: 0 };
@@ -90,14 +92,18 @@ class Entities {
     return { min: [write(minX), write(minY)], max: [write(maxX), write(maxY)] };
   }
 
-  polygon(layer: LayerName, { outer, holes }: Polygon): void {
-    for (const ring of [outer, ...holes]) {
-      const places: string[] = [];
-      for (let i = 0; i < ring.length; i += 2) {
-        const [x, y] = this.#place(ring[i], ring[i + 1]);
-        places.push(x, y);
-      }
-      this.#polyline(layer, places, true);
+  polygon(layer: LayerName, polygon: Polygon): void {
+    const { digits } = this.#to;
+    const place = (x: number, y: number) =>
+      [rounded(this.#to.x(x), digits), rounded(this.#to.y(y), digits)] as const;
+    const written = roundedPolygons(polygon, place);
+    for (const ring of ringsOf(written.map((one) => one.rounded))) {
+      for (let i = 0; i < ring.length; i += 2) this.#include(ring[i], ring[i + 1]);
+      this.#polyline(
+        layer,
+        Array.from(ring, (value) => decimal(value, digits)),
+        true,
+      );
     }
   }
 
@@ -133,8 +139,12 @@ class Entities {
 
   #place(planX: number, planY: number): [x: string, y: string] {
     const [x, y] = [this.#to.x(planX), this.#to.y(planY)];
+    this.#include(x, y);
+    return [decimal(x, this.#to.digits), decimal(y, this.#to.digits)];
+  }
+
+  #include(x: number, y: number): void {
     const [minX, minY, maxX, maxY] = this.#box;
     this.#box = [Math.min(minX, x), Math.min(minY, y), Math.max(maxX, x), Math.max(maxY, y)];
-    return [decimal(x, this.#to.digits), decimal(y, this.#to.digits)];
   }
 }

@@ -1,10 +1,10 @@
-import { orientRing } from '../core/geometry/rings.ts';
-import { conflictingEdges } from '../core/geometry/simplicity.ts';
+import { ringsOf } from '../core/geometry/rings.ts';
 import { type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
 import type { Polygon, Ring, Storey } from '../core/types.ts';
-import { areaOf, separatePinches } from '../solid/planar.ts';
+import { areaOf } from '../solid/planar.ts';
 import { rounded } from './decimals.ts';
 import type { Product } from './plan-writer.ts';
+import { roundedPolygons } from './rounded-polygons.ts';
 
 /** Decimals of metres and square metres in properties. */
 const DIGITS = 4;
@@ -32,7 +32,9 @@ function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
     properties: { kind, storey: storey.index, ...properties },
   });
   const areas = (kind: string, polygon: Polygon, propertiesOf: (piece: Polygon) => object) =>
-    roundedPieces(polygon, to).map(({ piece, geometry }) => feature(kind, geometry, propertiesOf(piece)));
+    roundedPolygons(polygon, (x, y) => position(x, y, to)).map(({ piece, rounded }) =>
+      feature(kind, { type: 'Polygon', coordinates: ringsOf([rounded]).map(closed) }, propertiesOf(piece)),
+    );
   return [
     ...storey.primary.flatMap((polygon) =>
       areas('primary-boundary', polygon, (piece) => ({ areaM2: number(areaOf([piece])) })),
@@ -67,42 +69,14 @@ function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
   ];
 }
 
-interface RoundedPiece {
-  readonly piece: Polygon;
-  readonly geometry: object;
+/** Closed as RFC 7946 §3.1.6 asks: the first position comes again at the end. */
+function closed(ring: Ring): Position[] {
+  const positions = Array.from(
+    { length: ring.length / 2 },
+    (_, k): Position => [ring[2 * k], ring[2 * k + 1]],
+  );
+  return [...positions, positions[0]];
 }
-
-/** A polygon whose rings stay valid when rounded, itself; another, cut where its rings all but touch. */
-function roundedPieces(polygon: Polygon, to: SourceCoordinates): RoundedPiece[] {
-  const rings = roundedRings(polygon, to);
-  const isSound = conflictingEdges(rings.map((ring) => Float64Array.from(ring.slice(1).flat()))).length === 0;
-  const pieces = isSound ? [polygon] : separatePinches([polygon]);
-  return pieces.flatMap((piece) => {
-    const coordinates = isSound ? rings : roundedRings(piece, to);
-    return coordinates.length === 0 ? [] : [{ piece, geometry: { type: 'Polygon', coordinates } }];
-  });
-}
-
-/** None where rounding leaves no area. */
-function roundedRings({ outer, holes }: Polygon, to: SourceCoordinates): Position[][] {
-  const shell = closedRing(orientRing(outer, 'counter-clockwise'), to);
-  if (shell === null) return [];
-  const inner = holes.map((hole) => closedRing(orientRing(hole, 'clockwise'), to));
-  return [shell, ...inner.filter((hole) => hole !== null)];
-}
-
-/** Vertices that rounding made one are written once. */
-function closedRing(ring: Ring, to: SourceCoordinates): Position[] | null {
-  const positions: Position[] = [];
-  for (let i = 0; i < ring.length; i += 2) {
-    const next = position(ring[i], ring[i + 1], to);
-    if (!isSame(next, positions.at(-1))) positions.push(next);
-  }
-  while (positions.length > 1 && isSame(positions[0], positions.at(-1))) positions.pop();
-  return positions.length < 3 ? null : [...positions, positions[0]];
-}
-
-const isSame = (a: Position, b: Position | undefined): boolean => a[0] === b?.[0] && a[1] === b[1];
 
 const position = (x: number, y: number, to: SourceCoordinates): Position => [
   rounded(to.x(x), to.digits),

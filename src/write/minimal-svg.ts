@@ -1,9 +1,10 @@
 import { ringsOf } from '../core/geometry/rings.ts';
 import type { Polygon } from '../core/types.ts';
 import { wallSection } from '../solid/sections.ts';
-import { decimal } from './decimals.ts';
+import { decimal, rounded } from './decimals.ts';
 import { extentOf } from './dimensions.ts';
 import type { Product } from './plan-writer.ts';
+import { roundedPolygons } from './rounded-polygons.ts';
 
 /** 0.01 mm: extruding the paths gives the very solid. */
 const DIGITS = 5;
@@ -32,7 +33,8 @@ export function writeMinimalSvg({ plan }: Product, storey: number): string {
 
 function pathData(polygons: readonly Polygon[]): string {
   let d = '';
-  for (const ring of ringsOf(polygons)) {
+  const written = polygons.flatMap((polygon) => roundedPolygons(polygon, place));
+  for (const ring of ringsOf(written.map((one) => one.rounded))) {
     for (let i = 0; i < ring.length; i += 2) {
       d += `${i === 0 ? 'M' : 'L'}${metres(ring[i])} ${metres(-ring[i + 1])}`;
     }
@@ -40,5 +42,7 @@ function pathData(polygons: readonly Polygon[]): string {
   }
   return d;
 }
+
+const place = (x: number, y: number) => [rounded(x, DIGITS), rounded(y, DIGITS)] as const;
 
 const metres = (value: number): string => decimal(value, DIGITS);

@@ -58,6 +58,9 @@ export const LINE_STYLES = {
   scaleBar: { width: 0.18, isFilled: true },
 } as const satisfies Record<string, LineStyle>;
 
+/** Decimals of a millimetre on the sheet: a hundredth of a millimetre in the building at 1:100. */
+export const SHEET_DIGITS = 4;
+
 /** Text sizes in mm. */
 export const TEXT_SIZES = { label: 2.5, room: 3.5, title: 5 } as const;
 

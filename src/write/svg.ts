@@ -5,6 +5,7 @@ import type { Product } from './plan-writer.ts';
 import {
   LINE_STYLES,
   type LineStyle,
+  SHEET_DIGITS,
   type Sheet,
   type SheetItem,
   type SheetLayer,
@@ -14,8 +15,6 @@ import {
 } from './sheet.ts';
 import { attributes, escapeXml } from './xml.ts';
 
-/** Decimals of a millimetre on the sheet: a hundredth of a millimetre in the building at 1:100. */
-const DIGITS = 4;
 const INK = '#1B1F24';
 const PAPER = '#FFFFFF';
 /** Share of ink in the points beneath a plan, and their size, mm. */
@@ -111,4 +110,4 @@ function pathData(line: Float64Array, isClosed: boolean): string {
   return isClosed ? `${d}Z` : d;
 }
 
-const mm = (value: number): string => decimal(value, DIGITS);
+const mm = (value: number): string => decimal(value, SHEET_DIGITS);

@@ -23,6 +23,7 @@ export async function benchPaperSlice(): Promise<readonly Figure[]> {
   const primary: Times[] = [];
   const paper: Times[] = [];
   const robust: Times[] = [];
+  const proposed: Times[] = [];
   const figures: Figure[] = [];
   for (const name of Object.keys(PAPER_SLICES) as PaperSliceName[]) {
     const { xy, secondary } = paperSlice(name);
@@ -37,13 +38,17 @@ export async function benchPaperSlice(): Promise<readonly Figure[]> {
     const ours = resolveOptions({ ...given, secondaryMethod: 'robust' }, { isSlice: true });
     paper.push(timesOf(() => findSecondary(slice, regularised, options, context)));
     robust.push(timesOf(() => findSecondary(slice, regularised, ours, context)));
+    const auto = resolveOptions({ secondaryCount: 'auto' }, { isSlice: true });
+    proposed.push(timesOf(() => findSecondary(slice, regularised, auto, context)));
     figures.push(...asFigures(`secondary, ${name}`, paper.at(-1)!));
+    figures.push(...asFigures(`secondary, number proposed, ${name}`, proposed.at(-1)!));
     figures.push(...asFigures(`secondary, robust, ${name}`, robust.at(-1)!));
   }
   return [
     ...figures,
     ...asFigures('primary, mean of all', meanOf(primary), 'paper 10.25'),
     ...asFigures('secondary, mean of all', meanOf(paper), 'paper 169'),
+    ...asFigures('secondary, number proposed, mean of all', meanOf(proposed), 'paper 169'),
     ...asFigures('secondary, robust, mean of all', meanOf(robust)),
   ];
 }

@@ -78,7 +78,7 @@ export function straightReach(
   const [ux, uy] = [ask.way * ask.direction[0], ask.way * ask.direction[1]];
   let [reached, fromAside] = [0, 0];
   let vertex = ask.way === 1 ? (foot.edge + 2) % ring.length : foot.edge;
-  const far = ask.limit + Math.max(ask.stands.left, ask.stands.right);
+  const far = ask.limit + LONGEST_MITRE * Math.max(ask.stands.left, ask.stands.right);
   for (let steps = 0; steps < ring.length && reached < far; steps += 2) {
     const [dx, dy] = [ring[vertex] - foot.x, ring[vertex + 1] - foot.y];
     const [ahead, aside] = [dx * ux + dy * uy, ux * dy - uy * dx];
@@ -99,6 +99,8 @@ export function straightReach(
   return Math.min(ask.limit, reached);
 }
 
+/** Of a corner of 10°, by the distance that walls stand from the ring: sharper ones are looked for no further. */
+const LONGEST_MITRE = 1 / Math.tan((5 * Math.PI) / 180);
 /** Cosine of 30°: a sharper turn is a corner. */
 const STRAIGHT_ON = Math.cos(Math.PI / 6);
 

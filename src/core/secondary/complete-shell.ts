@@ -1,5 +1,6 @@
 import { convexHull } from '../geometry/convex-hull.ts';
 import type { Ring } from '../types.ts';
+import { type Box, boxesAround } from './hull-boxes.ts';
 
 /** Points are this share of a shape's size off it at most (root mean square) when the shape explains them. */
 const LOOSENESS = 0.05;
@@ -72,23 +73,10 @@ function fitCircle(xy: Float64Array): { x: number; y: number; radius: number } |
   return { x: mx + x, y: my + y, radius: Math.sqrt(x * x + y * y + w / n) };
 }
 
-/** Coordinates along and across a unit direction. */
-interface Box {
-  readonly ux: number;
-  readonly uy: number;
-  readonly minA: number;
-  readonly maxA: number;
-  readonly minB: number;
-  readonly maxB: number;
-}
-
 function wholeRectangle(xy: Float64Array, hull: Ring): Ring | null {
   let best: Box | null = null;
   let least = Infinity;
-  let j = hull.length - 2;
-  for (let i = 0; i < hull.length; j = i, i += 2) {
-    const length = Math.hypot(hull[i] - hull[j], hull[i + 1] - hull[j + 1]);
-    const box = boxAlong(hull, (hull[i] - hull[j]) / length, (hull[i + 1] - hull[j + 1]) / length);
+  for (const box of boxesAround(hull)) {
     const distance = distanceToSides(xy, box) / Math.min(box.maxA - box.minA, box.maxB - box.minB);
     if (distance >= least) continue;
     least = distance;
@@ -103,19 +91,6 @@ function wholeRectangle(xy: Float64Array, hull: Ring): Ring | null {
     [minA, maxB],
   ];
   return Float64Array.from(corners.flatMap(([a, b]) => [a * ux - b * uy, a * uy + b * ux]));
-}
-
-function boxAlong(hull: Ring, ux: number, uy: number): Box {
-  let [minA, maxA, minB, maxB] = [Infinity, -Infinity, Infinity, -Infinity];
-  for (let k = 0; k < hull.length; k += 2) {
-    const along = hull[k] * ux + hull[k + 1] * uy;
-    const across = hull[k + 1] * ux - hull[k] * uy;
-    minA = Math.min(minA, along);
-    maxA = Math.max(maxA, along);
-    minB = Math.min(minB, across);
-    maxB = Math.max(maxB, across);
-  }
-  return { ux, uy, minA, maxA, minB, maxB };
 }
 
 /** Root mean square distance of points in a box to its nearest side. */

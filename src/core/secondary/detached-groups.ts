@@ -1,13 +1,15 @@
 import type { StageContext } from '../context.ts';
+import { convexHull } from '../geometry/convex-hull.ts';
 import { centroid, perimeter, pointInPolygon, signedArea } from '../geometry/rings.ts';
 import type { Options } from '../params.ts';
 import type { Polygon, Ring, Slice } from '../types.ts';
 import { facingShare } from './facing-share.ts';
 import { isFilled } from './filled.ts';
+import { leastWidth } from './hull-boxes.ts';
 import { cutGroup, groupOffWalls, type OffWallGroup } from './off-wall-groups.ts';
 import { outlineStructure, type StructureOutline } from './outline-structure.ts';
 import { pointsOf } from './point-groups.ts';
-import { type FoundStructure, type StructureSearch, typeOf } from './structure.ts';
+import { type FoundStructure, isWallPiece, type StructureSearch, typeOf } from './structure.ts';
 import { findWallFaces, type WallFaces } from './wall-faces.ts';
 
 /** Smaller groups are no structure. */
@@ -16,13 +18,8 @@ const FEWEST_POINTS = 8;
 const LEAST_WIDTH = 0.05;
 /** Points of faces lie no further apart than this many mean spacings, taken over the whole outline: else they are strays. */
 const LARGEST_GAP_SPACINGS = 4;
-/** Below a 20 cm square: at a wall the end of a partition, 10 to 15 cm thick; in a room seldom a column. */
-const LEAST_CERTAIN_WIDTH = 0.1;
-/**
- * Area by squared perimeter, 1/16 for a square: below this a group is a free-standing piece of wall (about 1
- * to 6).
- */
-const WALL_COMPACTNESS = 0.03;
+/** Narrower things, m, are at a wall the end of a partition, 10 to 15 cm thick, and in a room seldom columns. */
+const LEAST_CERTAIN_WIDTH = 0.2;
 /** What touches a wall stands free of it when points show this share of the side that faces the wall. */
 const FACING_SHARE = 0.6;
 
@@ -138,9 +135,5 @@ function byLikelihood(a: Candidate, b: Candidate): number {
 
 /** Whether it may be a piece of a wall. */
 function isThin(outline: Ring): boolean {
-  return isWallPiece(outline) || widthOf(outline) < LEAST_CERTAIN_WIDTH;
-}
-
-function isWallPiece(outline: Ring): boolean {
-  return signedArea(outline) < WALL_COMPACTNESS * perimeter(outline) ** 2;
+  return isWallPiece(outline) || leastWidth(convexHull(outline)) < LEAST_CERTAIN_WIDTH;
 }

@@ -1,5 +1,6 @@
 import type { StageContext } from '../context.ts';
-import { pointInPolygon } from '../geometry/rings.ts';
+import { countOf } from '../count-words.ts';
+import { pointInPolygon, ringsOf } from '../geometry/rings.ts';
 import { type Clusters, clusterPoints } from '../kmeans.ts';
 import type { Options } from '../params.ts';
 import { createRandom, type Random } from '../random.ts';
@@ -8,13 +9,8 @@ import { averageDistance } from './average-distance.ts';
 import { outlinePoints } from './outline-points.ts';
 import { pointsInStroke } from './points-in-stroke.ts';
 import { proposeCount } from './propose-count.ts';
-import {
-  distanceToPolygons,
-  type FoundStructure,
-  pickPoints,
-  type StructureSearch,
-  typeOf,
-} from './structure.ts';
+import { RingEdges } from './ring-edges.ts';
+import { type FoundStructure, pickPoints, type StructureSearch, typeOf } from './structure.ts';
 
 /**
  * A cluster with more than this share of its points within a stroke of the primary boundary holds walls only.
@@ -58,7 +54,7 @@ function warnOfTooMany({ sizes }: Clusters, wanted: number, context: StageContex
   if (sizes.length === wanted + 1) return;
   context.warn({
     code: 'secondary/too-many',
-    message: `${wanted} secondary boundaries need ${wanted + 1} clusters, but the slice has only ${sizes.length} distinct points.`,
+    message: `${countOf(wanted, 'secondary boundary needs', 'secondary boundaries need')} ${wanted + 1} clusters, but the slice has only ${countOf(sizes.length, 'distinct point')}.`,
     hint: 'Ask for fewer secondary boundaries, or take a level with more points.',
   });
 }
@@ -73,16 +69,19 @@ function warnOfNoOutline(
   const { near, outline, innermost, result } = rounds[rounds.length - 1];
   if (result) return;
   const [left, hint] = outline
-    ? [`the ${innermost.length / 2} that the stroke leaves`, 'Try a thinner stroke, or the robust method.']
+    ? [
+        `${countOf(innermost.length / 2, 'point')} that the stroke leaves`,
+        'Try a thinner stroke, or the robust method.',
+      ]
     : [
-        `the ${near.length / 2} inside the boundary before and near its centre`,
+        `${countOf(near.length / 2, 'point')} inside the boundary before and near its centre`,
         'Pick another cluster, or ask for another number of secondary boundaries.',
       ];
   const end =
     rounds.length === 1 ? 'it gives no secondary boundary' : `round ${rounds.length - 1} is taken instead`;
   context.warn({
     code: 'secondary/no-outline',
-    message: `Cluster ${cluster} has ${points} points, but in round ${rounds.length} ${left} enclose no area; ${end}.`,
+    message: `Cluster ${cluster} has ${countOf(points, 'point')}, but in round ${rounds.length} there is no area around the ${left}; ${end}.`,
     hint,
   });
 }
@@ -124,8 +123,9 @@ function wallClusters(
   { strokeWidth }: Options,
 ): boolean[] {
   const near = new Uint32Array(sizes.length);
+  const edges = new RingEdges(ringsOf(primary));
   for (let i = 0; i < clusterOf.length; i++) {
-    if (distanceToPolygons(xy[2 * i], xy[2 * i + 1], primary) <= strokeWidth) near[clusterOf[i]]++;
+    if (edges.distanceTo(xy[2 * i], xy[2 * i + 1]) <= strokeWidth) near[clusterOf[i]]++;
   }
   return Array.from(sizes, (size, cluster) => near[cluster] > HUGGING_SHARE * size);
 }

@@ -28,37 +28,46 @@ export function proposeCount(xy: Float64Array, seed: number): number {
   return best;
 }
 
-/** Row-major, points × points. */
+/** Of each point to those before it, one after the other. */
 function distancesBetween(xy: Float64Array): Float64Array {
   const n = xy.length / 2;
-  const distances = new Float64Array(n * n);
+  const distances = new Float64Array((n * (n - 1)) / 2);
+  let at = 0;
   for (let i = 0; i < n; i++) {
-    for (let j = 0; j < i; j++) {
-      const distance = Math.sqrt((xy[2 * j] - xy[2 * i]) ** 2 + (xy[2 * j + 1] - xy[2 * i + 1]) ** 2);
-      distances[i * n + j] = distance;
-      distances[j * n + i] = distance;
-    }
+    const [x, y] = [xy[2 * i], xy[2 * i + 1]];
+    for (let j = 0; j < i; j++) distances[at++] = Math.sqrt((xy[2 * j] - x) ** 2 + (xy[2 * j + 1] - y) ** 2);
   }
   return distances;
 }
 
 /** Mean over the points of (b − a) / max(a, b): a within their cluster, b to the nearest other one. */
 function meanSilhouette(distances: Float64Array, { clusterOf, sizes }: Clusters): number {
-  const n = clusterOf.length;
-  const sums = new Float64Array(sizes.length);
+  const sums = distancesToClusters(distances, clusterOf, sizes.length);
   let total = 0;
-  for (let i = 0; i < n; i++) {
-    sums.fill(0);
-    for (let j = 0; j < n; j++) sums[clusterOf[j]] += distances[i * n + j];
-    const own = clusterOf[i];
+  clusterOf.forEach((own, i) => {
     // By convention 0 for a point alone.
-    if (sizes[own] < 2) continue;
-    const within = sums[own] / (sizes[own] - 1);
+    if (sizes[own] < 2) return;
+    const within = sums[i * sizes.length + own] / (sizes[own] - 1);
     let nearest = Infinity;
     for (let c = 0; c < sizes.length; c++) {
-      if (c !== own && sizes[c] > 0) nearest = Math.min(nearest, sums[c] / sizes[c]);
+      if (c !== own && sizes[c] > 0) nearest = Math.min(nearest, sums[i * sizes.length + c] / sizes[c]);
     }
     if (Number.isFinite(nearest)) total += (nearest - within) / Math.max(nearest, within);
+  });
+  return total / clusterOf.length;
+}
+
+/** Sum of the distances of each point to those of each cluster, clusters of a point together. */
+function distancesToClusters(distances: Float64Array, clusterOf: Uint8Array, clusters: number): Float64Array {
+  const sums = new Float64Array(clusterOf.length * clusters);
+  let at = 0;
+  for (let i = 0; i < clusterOf.length; i++) {
+    const own = clusterOf[i];
+    for (let j = 0; j < i; j++) {
+      const distance = distances[at++];
+      sums[i * clusters + clusterOf[j]] += distance;
+      sums[j * clusters + own] += distance;
+    }
   }
-  return total / n;
+  return sums;
 }

@@ -1,6 +1,6 @@
-import { boundsOf, pointInRing } from '../geometry/rings.ts';
+import { boundsOf, perimeter, pointInRing, signedArea } from '../geometry/rings.ts';
 import { squaredDistanceToSegment } from '../geometry/segments.ts';
-import type { ClusterSearch, Polygon, Ring, SecondaryBoundary } from '../types.ts';
+import type { ClusterSearch, Ring, SecondaryBoundary } from '../types.ts';
 
 /** A structure whose bounding box has no longer side than this, m, may be a column. */
 const LONGEST_COLUMN = 1.5;
@@ -10,6 +10,11 @@ const LONGEST_COLUMN = 1.5;
 const SOLID_SHARE = 0.2;
 /** Points within this share of the shorter side of an outline lie on it. */
 const FACE_SHARE = 0.25;
+/**
+ * Area by squared perimeter, 1/16 for a square: below this a structure is a free-standing piece of wall (about 1
+ * to 6).
+ */
+const WALL_COMPACTNESS = 0.03;
 
 /** A structure found in a slice. */
 export interface FoundStructure {
@@ -45,6 +50,11 @@ export function typeOf(outline: Ring, xy: Float64Array): SecondaryBoundary['type
   return Math.max(maxX - minX, maxY - minY) <= LONGEST_COLUMN ? 'column' : 'shaft';
 }
 
+/** Whether an outline is as long and thin, or as ragged, as a piece of a wall. */
+export function isWallPiece(outline: Ring): boolean {
+  return signedArea(outline) < WALL_COMPACTNESS * perimeter(outline) ** 2;
+}
+
 /** Distance from a point to the nearest edge of a ring. */
 export function distanceToRing(x: number, y: number, ring: Ring): number {
   let least = Infinity;
@@ -53,15 +63,6 @@ export function distanceToRing(x: number, y: number, ring: Ring): number {
     least = Math.min(least, squaredDistanceToSegment(x, y, ring[j], ring[j + 1], ring[i], ring[i + 1]));
   }
   return Math.sqrt(least);
-}
-
-/** Distance from a point to the nearest edge of any ring of the polygons. */
-export function distanceToPolygons(x: number, y: number, polygons: readonly Polygon[]): number {
-  let least = Infinity;
-  for (const { outer, holes } of polygons) {
-    for (const ring of [outer, ...holes]) least = Math.min(least, distanceToRing(x, y, ring));
-  }
-  return least;
 }
 
 /** The points named, x, y each. */

@@ -35,7 +35,7 @@ export interface WallFaces {
  *
  * Ours. The outline runs along the outermost points of a wall; {@link restoreCorners} fits lines to the points that each of
  * its edges stands for. How far these scatter is told by neighbours along the outline ({@link noiseAlong}): spacing says
- * nothing about it, so sparse and dense slices are treated alike. O(points + sample · edges) beside the outline.
+ * nothing about it, so sparse and dense slices are treated alike. O(points · log edges) beside the outline.
  */
 export function findWallFaces(slice: Slice, options: Options, context: StageContext): WallFaces {
   const own: Options = { ...options, boundary: 'gift-opening' };
@@ -51,8 +51,7 @@ export function findWallFaces(slice: Slice, options: Options, context: StageCont
     reach: FACE_DEVIATIONS * noise,
     heightAt(x, y) {
       edges.project(x, y);
-      const past = edges.along - Math.max(0, Math.min(edges.length[edges.edge], edges.along));
-      return (edges.across < 0 ? -1 : 1) * Math.hypot(edges.across, past);
+      return (edges.across < 0 ? -1 : 1) * Math.hypot(edges.across, edges.past);
     },
   };
 }

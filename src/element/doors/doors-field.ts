@@ -7,6 +7,7 @@ import { makeDoorList } from './door-list.ts';
 
 /** The way to the tool in the drawing, every gap and door with a button, and the doors cut by hand as text. */
 export function doorsField({ id, row, change }: FieldFacts, actions: Actions): Field {
+  let pixelsPerMetre: number | null = null;
   const gaps = make('input', { type: 'checkbox', on: { change: () => read() } });
   const cuts = make('input', {
     type: 'text',
@@ -18,7 +19,7 @@ export function doorsField({ id, row, change }: FieldFacts, actions: Actions): F
   });
   const read = () => {
     const text = cuts.value.trim();
-    const given = parsed(text === '' ? 'none' : text);
+    const given = parsed(text === '' ? 'none' : text, pixelsPerMetre);
     setAttribute(cuts, 'aria-invalid', given === null);
     if (given !== null) change(formatDoors({ gaps: gaps.checked || given.gaps, cuts: given.cuts }), true);
   };
@@ -48,6 +49,7 @@ export function doorsField({ id, row, change }: FieldFacts, actions: Actions): F
     set(value, model) {
       const doors = parseDoors(String(value));
       gaps.checked = doors.gaps;
+      pixelsPerMetre = model.options.pixelsPerMetre;
       list.show(model);
       // Text under the hand is not overwritten.
       if (cuts.matches(':focus')) return;
@@ -57,9 +59,9 @@ export function doorsField({ id, row, change }: FieldFacts, actions: Actions): F
   };
 }
 
-function parsed(text: string): Doors | null {
+function parsed(text: string, pixelsPerMetre: number | null): Doors | null {
   try {
-    return parseDoors(text);
+    return parseDoors(text, pixelsPerMetre);
   } catch {
     return null;
   }

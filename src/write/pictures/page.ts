@@ -3,6 +3,8 @@ import { escapeXml } from '../xml.ts';
 import { element, path, pixels, text } from './marks.ts';
 import { INK, MUTED, PAPER } from './palette.ts';
 
+export { countOf } from '../../core/count-words.ts';
+
 /** All pictures are as wide, so that their texts are equally large side by side, px. */
 const WIDTH = 640;
 export const MARGIN = 24;
@@ -70,11 +72,6 @@ export function pageOf(drawing: Drawing, { name, label, doc }: PageWords): strin
     'data-pixels-per-metre': pixelsPerMetre === undefined ? undefined : pixelsPerMetre.toFixed(4),
   };
   return `<?xml version="1.0" encoding="UTF-8"?>\n${element('svg', root, ['', ...content, ''])}\n`;
-}
-
-/** 1,799 points; 1 vertex. */
-export function countOf(n: number, singular: string, plural = `${singular}s`): string {
-  return `${n.toLocaleString('en-GB')} ${n === 1 ? singular : plural}`;
 }
 
 /** The picture's name beside the scale bar, its figures on the line beneath. */

@@ -31,6 +31,21 @@ describe('the list of doors', () => {
     expect(formatDoors(parseDoors(' 1, 2 ,0.9 ; gaps '))).toBe('gaps;1,2,0.9');
   });
 
+  it('takes sizes with a unit as the other lengths do, places as numbers only', () => {
+    expect(parseDoors('1,2,90cm,7 ft').cuts).toEqual([{ x: 1, y: 2, width: 0.9, height: 2.1336 }]);
+    expect(resolveOptions({ doors: 'gaps; 1,2,900 mm ;3,4,1m,2.1' }).doors).toBe('gaps;1,2,0.9;3,4,1,2.1');
+    expect(parseParam('doors', '1,2,90cm')).toEqual({ doors: '1,2,0.9' });
+    expect(() => parseDoors('1m,2,0.9')).toThrow(FloorPlanError);
+    expect(() => parseDoors('1,2,90m')).toThrow(FloorPlanError);
+  });
+
+  it('takes the pixels of the paper once it knows how large they are', () => {
+    const given = parseParam('doors', '1,2,90px');
+    expect(given).toEqual({ doors: '1,2,90px' });
+    expect(resolveOptions({ ...given, pixelsPerMetre: 50 }).doors).toBe('1,2,1.8');
+    expect(() => parseDoors('1,2,90px')).toThrow(FloorPlanError);
+  });
+
   it.each([
     ['', 1],
     ['doors', 1],

@@ -19,6 +19,8 @@ import { completeShell } from '../../../src/core/secondary/complete-shell.ts';
 import { groupPoints } from '../../../src/core/secondary/point-groups.ts';
 import { pointsInStroke } from '../../../src/core/secondary/points-in-stroke.ts';
 import { proposeCount } from '../../../src/core/secondary/propose-count.ts';
+import { RingEdges } from '../../../src/core/secondary/ring-edges.ts';
+import { distanceToRing } from '../../../src/core/secondary/structure.ts';
 import { findWallFaces } from '../../../src/core/secondary/wall-faces.ts';
 import { findSecondary } from '../../../src/core/secondary.ts';
 import type { Slice } from '../../../src/core/types.ts';
@@ -48,7 +50,7 @@ function run(xy: Float64Array, given: Given) {
   const { context, warnings } = listen();
   const strokeTest = createStrokeTest();
   const result = findSecondary(slice, regularised, options, { ...context, strokeTest });
-  return { ...result, codes: codesOf(warnings), regularised };
+  return { ...result, warnings, codes: codesOf(warnings), regularised };
 }
 
 interface Shape {
@@ -200,6 +202,14 @@ describe('robust', () => {
     expect(run(xy, { secondaryCount: 'auto' }).boundaries).toEqual([]);
   });
 
+  test('a stub as thin as a partition is not certain, however short; a slender column is', () => {
+    const stub = room(rectangle(3, 2, 0.15, 0.5));
+    expect(run(stub, { secondaryCount: 'auto' }).boundaries).toEqual([]);
+    expect(run(stub, { secondaryCount: 1 }).boundaries.length).toBe(1);
+    const turned = [3, 2, 3.17, 2.17, 3, 2.34, 2.83, 2.17];
+    expect(run(room(turned), { secondaryCount: 'auto' }).boundaries.length).toBe(1);
+  });
+
   test('two faces belong together when a few points show the side between them', () => {
     const random = createRandom(9);
     const [left, right] = [3, 3.7].map((x) =>
@@ -240,9 +250,19 @@ describe('robust', () => {
   test('what would cover the plan is left out, and said', () => {
     const noisy = { count: 900, noise: 0.01, random: createRandom(2) };
     const xy = Float64Array.from([...room(), ...outlinePoints(rectangle(0.5, 0.5, 7, 4), noisy)]);
-    const { boundaries, codes } = run(xy, { secondaryCount: 'auto' });
+    const { boundaries, codes, warnings } = run(xy, { secondaryCount: 'auto' });
     expect(boundaries).toEqual([]);
     expect(codes).toEqual(['secondary/covers-plan', 'secondary/fewer-found']);
+    expect(warnings[0].hint).not.toContain('robust');
+  });
+
+  test('a piece of wall that was asked for is said to be one', () => {
+    const xy = room(rectangle(2, 2, 3, 0.12), rectangle(6, 3, 0.4, 0.4));
+    expect(run(xy, { secondaryCount: 1 }).codes).toEqual([]);
+    const { boundaries, warnings } = run(xy, { secondaryCount: 2 });
+    expect(boundaries.length).toBe(2);
+    expect(codesOf(warnings)).toEqual(['secondary/sliver']);
+    expect(warnings[0].message).toContain('Secondary boundary 2 is');
   });
 
   test('an epsilon larger than the structure leaves its shape', () => {
@@ -307,6 +327,18 @@ describe('paper', () => {
     );
   });
 });
+
+test.each([
+  [1, false],
+  [3, true],
+] as const)(
+  'the method of the paper, asked for %i, says of slivers that they are: %s',
+  (secondaryCount, isSaid) => {
+    const given: Given = { preset: 'paper', secondaryMethod: 'paper', secondaryCount };
+    const { codes } = run(metres(paperSlice('room-1a').xy), given);
+    expect(codes.includes('secondary/sliver')).toBe(isSaid);
+  },
+);
 
 describe('the search of the paper', () => {
   const given: Given = { preset: 'paper', secondaryCount: 1, secondaryMethod: 'paper', secondaryRounds: 3 };
@@ -417,6 +449,41 @@ describe('proposeCount', () => {
 
   test('two points suggest nothing', () => {
     expect(proposeCount(Float64Array.of(0, 0, 1, 1, 0, 0), 1)).toBe(0);
+  });
+});
+
+describe('RingEdges', () => {
+  /** Outlines as rough as scans give them, and one that folds back beside itself. */
+  const rough = (vertices: number, wobble: number, random: Random) =>
+    Float64Array.from({ length: 2 * vertices }, (_, i) => {
+      const angle = (2 * Math.PI * (i >> 1)) / vertices;
+      return (i % 2 === 0 ? 5 * Math.cos(angle) : 3 * Math.sin(angle)) * (1 - wobble * random());
+    });
+
+  test('finds the nearest edge of many, as looking at each one does', () => {
+    const random = createRandom(12);
+    for (const [vertices, wobble] of [
+      [4, 0],
+      [9, 0.3],
+      [700, 0.2],
+      [2000, 0.9],
+    ]) {
+      const rings = [rough(vertices, wobble, random), rough(vertices, wobble, random).map((v) => v / 3)];
+      const edges = new RingEdges(rings);
+      for (let k = 0; k < 300; k++) {
+        const [x, y] = [14 * (random() - 0.5), 10 * (random() - 0.5)];
+        const least = Math.min(...rings.map((ring) => distanceToRing(x, y, ring)));
+        expect(edges.distanceTo(x, y)).toBeCloseTo(least, 9);
+      }
+    }
+  });
+
+  test('of edges as near as each other the first counts, and past says how far beyond its ends a point lies', () => {
+    const edges = new RingEdges([Float64Array.from(rectangle(0, 0, 4, 3))]);
+    edges.project(5, -1);
+    expect([edges.edge, edges.along, edges.across, edges.past]).toEqual([0, 5, -1, 1]);
+    edges.project(2, 1.5);
+    expect([edges.edge, edges.across, edges.past]).toEqual([0, 1.5, 0]);
   });
 });
 

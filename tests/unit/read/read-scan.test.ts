@@ -149,7 +149,7 @@ describe('readScan', () => {
     const scan = await readScan(memorySource(ply(points), 'room.ply'), OPTIONS);
     expect(scan.facts).toMatchObject({ pointsRead: 2_002, pointsDropped: 2 });
     expect(scan.warnings).toMatchObject([
-      { code: 'read/points-dropped', message: expect.stringContaining('2 of 2002') },
+      { code: 'read/points-dropped', message: expect.stringContaining('2 of 2,002 points') },
     ]);
   });
 

@@ -106,3 +106,15 @@ test('rings stay simple when rounded to 0.1 mm', async () => {
   const areas = primary.map(({ properties }) => Number(properties.areaM2));
   expect(areas[0] + areas[1]).toBeCloseTo(58.5, 2);
 });
+
+test('a sliver that rounding turns over is written counter-clockwise all the same', async () => {
+  const sliver = ring(0, 0, 1, 0.00006, 2, 0.00013);
+  const features = await featuresOf({ storeys: [{ primary: [{ outer: sliver, holes: [] }], walls: [] }] });
+  expect(turn(features[0].geometry.coordinates[0])).toBeGreaterThan(0);
+});
+
+test('what is thinner than a step of the file is left out', async () => {
+  const hair = ring(0, 0, 1, 0.00001, 2, 0, 2, 0.00003, 1, 0.00002);
+  const features = await featuresOf({ storeys: [{ primary: [{ outer: hair, holes: [] }], walls: [] }] });
+  expect(features).toEqual([]);
+});

@@ -5,6 +5,7 @@ import type { Solid } from '../../../src/core/types.ts';
 import { checkSolid } from '../../../src/solid/check-solid.ts';
 import { weld } from '../../../src/solid/weld.ts';
 import { writeMinimalSvg } from '../../../src/write/minimal-svg.ts';
+import { expectValidRing } from '../../invariants.ts';
 import { home, productOf } from './products.ts';
 import { parseXml } from './strict-xml.ts';
 
@@ -104,4 +105,22 @@ test('walls are cut a metre above the floor, so doors are open', async () => {
   const walls = extruded(writeMinimalSvg(await productOf({ storeys: [{ openings }] }), 0), 'walls');
   expect(walls.check.volume).toBeCloseTo((4.4 * 3.4 - 12 - 0.9 * 0.2) * HEIGHT, 5);
   expect(walls.check.openEdges).toBe(0);
+});
+
+test('a structure stays simple when rounded to 0.01 mm', async () => {
+  // A dent whose tip ends 2 µm before the edge across; rounded, it lies on that edge.
+  const dented = Float64Array.of(0, 0, 1, 0.300002, 1, 0.8, 0.6, 0.8, 0.5, 0.150003, 0.4, 0.8, 0, 0.8);
+  const structure = {
+    outline: { outer: dented, holes: [] },
+    operation: 'independent',
+    type: 'other',
+    points: 9,
+  } as const;
+  const svg = parseXml(writeMinimalSvg(await productOf({ storeys: [{ secondary: [structure] }] }), 0));
+  const d = svg.childNodes.at(-1)!.getAttribute('d')!;
+  const rings = d.split('Z').filter(Boolean);
+  expect(rings).toHaveLength(2);
+  for (const one of rings) {
+    expectValidRing(Float64Array.from(one.split(/[ML ]/).filter(Boolean), Number));
+  }
 });
