@@ -58,7 +58,7 @@ function parseCut(entry: string, number: number): DoorCut {
   if (!isComplete || !isSound) {
     throw new FloorPlanError(
       'option/invalid',
-      `doors: expected none, gaps or x,y,width[,height] with ${LEAST_SIZE} to ${MOST_SIZE} m as entry ${number}, found "${entry}"`,
+      `doors: expected entry ${number} to be none, gaps or x,y,width[,height], width and height ${LEAST_SIZE} to ${MOST_SIZE} m, found "${entry}"`,
       {
         hint: 'A door is x,y in source coordinates, width and height in metres: 3.2,0,0.9; several are joined by semicolons.',
         detail: { option: 'doors', entry: number },

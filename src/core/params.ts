@@ -90,7 +90,7 @@ export const PARAMS = {
     default: 'auto',
     stage: 'read',
     label: 'Preset',
-    doc: "Start values: building for 3D scans, paper for ready slices (the paper's own numbers); auto picks between them.",
+    doc: "Start values: building for 3D scans, paper for ready slices (the paper's own numbers; what it has no number for stays ours: opening length, bridged gaps, slabs); auto picks between them.",
     source: 'ours',
   }),
   resolution: number({
@@ -258,7 +258,7 @@ export const PARAMS = {
     unit: 'm',
     stage: 'boundary',
     label: 'Bridge gaps up to',
-    doc: 'Gaps in a wall up to this width are bridged when the outline would fall through them into the room; 0 never bridges.',
+    doc: 'Gaps in a wall up to this width are bridged when the outline would fall through them into the room; 0 never bridges, as the paper.',
     source: 'ours',
   }),
   alpha: autoNumber({
@@ -349,7 +349,7 @@ export const PARAMS = {
     unit: '',
     stage: 'secondary',
     label: 'Secondary boundaries',
-    doc: 'How many columns, shafts or cubicles stand inside the outline; the paper method runs k-means with one cluster more. auto proposes: robust takes what is surely hollow and no piece of wall, paper the number of clusters with the best silhouette, less one.',
+    doc: 'How many columns, shafts or cubicles stand inside the outline; the paper method runs k-means with one cluster more. auto proposes: robust takes what is surely hollow and no piece of wall, paper the number of clusters with the best silhouette, less one. The preset paper starts at 0: its authors counted by eye.',
     source: '[Stojanovic19] §3.1',
   }),
   secondaryMethod: choice(['robust', 'paper'], {
@@ -472,7 +472,7 @@ export const PARAMS = {
     default: true,
     stage: 'solid',
     label: 'Floor slab',
-    doc: 'Add a slab under the walls.',
+    doc: 'Add a slab under the walls; subtracted structures are cut out of it.',
     source: 'ours',
   }),
   ceilingSlab: flag({

@@ -15,6 +15,11 @@ export function sayLabels(text: string): string {
   );
 }
 
+/** An error's message as a sentence of its own: "expected …" starts one, a file's or a parameter's name is left as it is. */
+export function saySentence(message: string): string {
+  return sayLabels(message.replace(/^expected\b/, 'Expected'));
+}
+
 /** `gift-opening` → `Gift opening`; units and axes as they are. */
 export function sayChoice(choice: string): string {
   if (choice in SPELT) return SPELT[choice];
