@@ -125,7 +125,7 @@ export const PICTURES = {
   },
   model: {
     label: 'Model',
-    doc: 'The extruded walls with secondary boundaries cut out or added, seen from the south-east.',
+    doc: 'The extruded walls with secondary boundaries cut out or added, seen from the south-east; what is cut out of the floor shows dashed through walls.',
     stage: 'solid',
     figure: 'Fig. 1c, 7, 8',
     draw: drawModel,
