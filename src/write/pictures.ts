@@ -173,9 +173,9 @@ function timeWords(ms: number): string {
 }
 
 /** Every picture there is, numbered as in the table; without times, so that equal runs give equal files. */
-export function writePictures({ results }: Product): WrittenFile[] {
+export function writePictures(product: Product): WrittenFile[] {
   return PICTURE_NAMES.flatMap((name) => {
-    const content = drawPicture(name, results);
+    const content = drawPicture(name, product);
     return content === null ? [] : [{ name: pictureFile(name), mime: 'image/svg+xml', content }];
   });
 }
