@@ -1,7 +1,8 @@
 /** The README's tables, made from the source's: `npm run tables` writes them, a unit test compares. */
 import { readFileSync, writeFileSync } from 'node:fs';
 import { valueWords } from '../src/cli/help.ts';
-import { kebabCase, PARAM_NAMES, PARAMS, type ParamRow } from '../src/core/params.ts';
+import type { ParamRow } from '../src/core/param-rows.ts';
+import { kebabCase, PARAM_NAMES, PARAMS } from '../src/core/params.ts';
 import { STAGES } from '../src/core/stages.ts';
 import { READ_FORMATS } from '../src/read/formats.ts';
 import { WRITE_FORMATS } from '../src/write/formats.ts';

@@ -1,4 +1,5 @@
-import { PARAMS, type ParamName, type ParamRow } from '../core/params.ts';
+import type { ParamRow } from '../core/param-rows.ts';
+import { PARAMS, type ParamName } from '../core/params.ts';
 
 /** `bridgeGap` among words; names of a single word are plain English and stay. */
 const CODE_NAME = /\b[a-z]+(?:[A-Z0-9][A-Za-z0-9]*)+\b/g;

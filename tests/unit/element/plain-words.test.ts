@@ -1,5 +1,6 @@
 import { expect, it } from 'vitest';
-import { PARAMS, type ParamRow } from '../../../src/core/params.ts';
+import type { ParamRow } from '../../../src/core/param-rows.ts';
+import { PARAMS } from '../../../src/core/params.ts';
 import { sayChoice, sayLabels, saySentence } from '../../../src/element/plain-words.ts';
 
 it('parameters are called by the label of their control', () => {
