@@ -16,7 +16,7 @@ import {
   takenClusters,
 } from './pictures/secondary-pictures.ts';
 
-import type { Product, WrittenFile } from './plan-writer.ts';
+import type { WrittenFile } from './plan-writer.ts';
 
 export type { PictureFacts, PictureRow } from './pictures/picture.ts';
 
@@ -173,9 +173,9 @@ function timeWords(ms: number): string {
 }
 
 /** Every picture there is, numbered as in the table; without times, so that equal runs give equal files. */
-export function writePictures(product: Product): WrittenFile[] {
+export function writePictures(results: Partial<StageResults>): WrittenFile[] {
   return PICTURE_NAMES.flatMap((name) => {
-    const content = drawPicture(name, product);
+    const content = drawPicture(name, results);
     return content === null ? [] : [{ name: pictureFile(name), mime: 'image/svg+xml', content }];
   });
 }
