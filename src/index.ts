@@ -9,6 +9,7 @@ export type { StrokeTest } from './core/context.ts';
 export { type DoorCut, type Doors, formatDoors, parseDoors } from './core/doors.ts';
 export { type ErrorCode, FloorPlanError } from './core/errors.ts';
 export { parseParam, resolveOptions } from './core/options.ts';
+export type { ParamRow } from './core/param-rows.ts';
 export {
   type GivenValues,
   kebabCase,
@@ -16,7 +17,6 @@ export {
   PARAM_NAMES,
   PARAMS,
   type ParamName,
-  type ParamRow,
 } from './core/params.ts';
 export type { PipelineHooks, Progress, StageReport } from './core/pipeline-run.ts';
 export type { StageResults } from './core/stage-results.ts';

@@ -1,10 +1,15 @@
 /** The README's tables, made from the source's: `npm run tables` writes them, a unit test compares. */
 import { readFileSync, writeFileSync } from 'node:fs';
 import { valueWords } from '../src/cli/help.ts';
-import { kebabCase, PARAM_NAMES, PARAMS, type ParamRow } from '../src/core/params.ts';
+import type { ParamRow } from '../src/core/param-rows.ts';
+import { kebabCase, PARAM_NAMES, PARAMS } from '../src/core/params.ts';
 import { STAGES } from '../src/core/stages.ts';
 import { READ_FORMATS } from '../src/read/formats.ts';
 import { WRITE_FORMATS } from '../src/write/formats.ts';
+import { readText } from './reproduction/folder.ts';
+import { OUTLINE_METHODS } from './reproduction/outlines.ts';
+import { PAPER_SETS } from './reproduction/paper-sets.ts';
+import type { Results } from './reproduction/results.ts';
 
 export const readmePath = new URL('../README.md', import.meta.url);
 
@@ -30,6 +35,8 @@ const tables: Record<string, () => string> = {
         return [code([kebabCase(name)]), values, start, STAGES[row.stage].label, row.doc, row.source];
       }),
     ),
+  reproduction: () =>
+    table(['on the rebuilt sets', "the paper's method", 'α-shape', 'ours'], reproductionRows()),
 };
 
 /** The README with every `<!-- table: NAME -->` … `<!-- end -->` made afresh. */
@@ -37,6 +44,25 @@ export function withTables(readme: string): string {
   return readme.replace(/(<!-- table: ([a-z ]+) -->\n)[\s\S]*?(<!-- end -->)/g, (_, open, name, close) => {
     return `${open}${tables[name]()}${close}`;
   });
+}
+
+/** The page's numbers in short, from what `npm run reproduce` measured. */
+function reproductionRows(): string[][] {
+  const { sets, structureCases, doorGaps }: Results = JSON.parse(readText('results.json'));
+  const methods = ["gift opening and the paper's three passes", 'α-shape, α 150 px', 'ours: preset building'];
+  const columns = methods.map((label) => OUTLINE_METHODS.findIndex((method) => method.label === label));
+  const hallways = PAPER_SETS.filter(({ isRoom }) => !isRoom).map(({ name, label }) => [
+    `outline of ${label}, IoU`,
+    ...columns.map((column) => sets[name].outlines[column].iou.toFixed(3)),
+  ]);
+  const percent = (share: number, digits = 0) => `${(100 * share).toFixed(digits)} %`;
+  const worst = (key: 'worst' | 'worstWithout') => percent(Math.max(...doorGaps.map((gap) => gap[key])), 1);
+  const { cases, paper, robust } = structureCases.keptBack;
+  return [
+    ...hallways,
+    [`structures found (IoU over 0.8) in ${cases} rooms kept back`, percent(paper), '–', percent(robust)],
+    ['largest error of the area by a gap of 0.3 to 3 m', worst('worstWithout'), '–', worst('worst')],
+  ];
 }
 
 function paperWords({ paper }: ParamRow): string {

@@ -1,11 +1,5 @@
-import {
-  type AutoNumberRow,
-  kebabCase,
-  type NumberRow,
-  PARAM_NAMES,
-  PARAMS,
-  type ParamRow,
-} from '../core/params.ts';
+import type { AutoNumberRow, NumberRow, ParamRow } from '../core/param-rows.ts';
+import { kebabCase, PARAM_NAMES, PARAMS } from '../core/params.ts';
 import { STAGE_NAMES, STAGES } from '../core/stages.ts';
 import { READ_FORMATS } from '../read/formats.ts';
 import { WRITE_FORMATS } from '../write/formats.ts';

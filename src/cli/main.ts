@@ -6,6 +6,7 @@ import { STAGES } from '../core/stages.ts';
 import { urlSource } from '../read/url-source.ts';
 import { makeReport, type Report } from '../session/report.ts';
 import { baseName, Session } from '../session/session.ts';
+import { writePictures } from '../write/pictures.ts';
 import { type Command, parseArguments } from './arguments.ts';
 import { createStrokeTest } from './canvas-stroke.ts';
 import { helpText } from './help.ts';
@@ -71,9 +72,18 @@ async function runOne(input: string, folder: string, command: Command, signal: A
     if (signal.aborted) throw new FloorPlanError('cancelled', 'The run was cancelled.');
     await writeFolder(folder, all);
     return report;
+  } catch (error) {
+    if (!signal.aborted && command.formats.includes('pictures')) await writeEvidence(session, folder);
+    throw error;
   } finally {
     bar.end();
   }
+}
+
+/** The pictures of the stages before the one that failed; what failed first is what is told. */
+async function writeEvidence({ evidence }: Session, folder: string): Promise<void> {
+  const pictures = writePictures(evidence);
+  if (pictures.length > 0) await writeFolder(folder, pictures).catch(() => {});
 }
 
 /** A line on a terminal that tells stage and share; nothing elsewhere. */

@@ -65,7 +65,7 @@ function giftBoundary(
   // An edge over a gap ends at the last points beside it, up to a step away on either side.
   const bridgeLimit = options.bridgeGap > 0 ? options.bridgeGap + supportLength : 0;
   const rules = { openingLength, supportLength, bridgeLimit, spacing };
-  warnOfLongOpening(points, openingLength, context);
+  warnOfLongOpening(points, openingLength, options, context);
   const opening = openGift(points, rules);
   const found = findGaps(opening, options.bridgeGap);
   reachOpeningLength(opening, rules);
@@ -76,14 +76,22 @@ function giftBoundary(
   return { method: 'gift-opening', polygons: [asPolygon(ring)], openingLength, gaps };
 }
 
-function warnOfLongOpening(points: Float64Array, openingLength: number, context: StageContext): void {
+function warnOfLongOpening(
+  points: Float64Array,
+  openingLength: number,
+  options: Options,
+  context: StageContext,
+): void {
   const { minX, minY, maxX, maxY } = boundsOf(points);
   const extent = Math.hypot(maxX - minX, maxY - minY);
   if (openingLength < extent) return;
   context.warn({
     code: 'boundary/not-opened',
-    message: `The opening length, ${openingLength} m, is no shorter than the slice, ${extent.toFixed(2)} m across; the outline is its convex hull.`,
-    hint: 'Lower the opening length, or let it be auto; check the unit.',
+    message: `The opening length, ${Number(openingLength.toPrecision(3))} m, is no shorter than the slice, ${extent.toFixed(2)} m across; the outline is its convex hull.`,
+    hint:
+      options.openingLength === 'auto'
+        ? 'The points are too few, or too far apart, to tell more of the shape; check the unit.'
+        : 'Lower the opening length, or let it be auto; check the unit.',
   });
 }
 

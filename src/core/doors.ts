@@ -62,7 +62,7 @@ function parseCut(entry: string, number: number, pixelsPerMetre: number | null):
   if (!isComplete || !isSound) {
     throw new FloorPlanError(
       'option/invalid',
-      `doors: expected none, gaps or x,y,width[,height] with sizes of ${LEAST_SIZE} to ${MOST_SIZE} m as entry ${number}, found "${entry}"`,
+      `doors: expected entry ${number} to be none, gaps or x,y,width[,height], width and height ${LEAST_SIZE} to ${MOST_SIZE} m, found "${entry}"`,
       {
         hint: `A door is x,y in source coordinates, width and height in metres or with a unit (${unitWords(1)}): 3.2,0,0.9 or 3.2,0,90cm; several are joined by semicolons.`,
         detail: { option: 'doors', entry: number },

@@ -1,7 +1,8 @@
 import type { StageContext } from './context.ts';
 import { FloorPlanError } from './errors.ts';
-import { medianOf } from './frame/robust-scale.ts';
-import type { LevelChoice, Options } from './params.ts';
+import { DEVIATION_BY_MEDIAN, medianOf } from './frame/robust-scale.ts';
+import type { LevelChoice } from './param-rows.ts';
+import type { Options } from './params.ts';
 import type { Level, PointCloud } from './types.ts';
 
 /** Reach around a floor or ceiling plane in which its own noise is measured, m. */
@@ -122,8 +123,7 @@ function planeTolerance(positions: Float32Array, kept: Uint32Array, plane: numbe
     if (distance <= PLANE_LOOK) distances.push(distance);
   }
   if (distances.length === 0) return LEAST_TOLERANCE;
-  // 1.4826 turns a median absolute deviation into a standard deviation.
-  const deviation = 1.4826 * medianOf(Float64Array.from(distances));
+  const deviation = DEVIATION_BY_MEDIAN * medianOf(Float64Array.from(distances));
   return Math.max(LEAST_TOLERANCE, Math.min(PLANE_LOOK, PLANE_DEVIATIONS * deviation));
 }
 

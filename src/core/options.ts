@@ -1,15 +1,7 @@
 import { formatDoors, parseDoors } from './doors.ts';
 import { FloorPlanError } from './errors.ts';
-import {
-  type AutoNumberRow,
-  type GivenValues,
-  type NumberRow,
-  type Options,
-  PARAM_NAMES,
-  PARAMS,
-  type ParamName,
-  type ParamRow,
-} from './params.ts';
+import type { AutoNumberRow, NumberRow, ParamRow } from './param-rows.ts';
+import { type GivenValues, type Options, PARAM_NAMES, PARAMS, type ParamName } from './params.ts';
 import { readQuantity, unitWords } from './quantity.ts';
 
 /**

@@ -1,85 +1,17 @@
+import {
+  autoNumber,
+  choice,
+  choiceList,
+  doors,
+  flag,
+  level,
+  number,
+  type ParamRow,
+  px,
+  px2,
+  type RowFacts,
+} from './param-rows.ts';
 import type { AreaText, LengthText } from './quantity.ts';
-import type { StageName } from './stages.ts';
-
-/** A length or area in the paper's canvas pixels; `pixelsPerMetre` turns it into metres or square metres. */
-export interface Pixels {
-  readonly px: number;
-  readonly power: 1 | 2;
-}
-
-interface RowFacts<T> {
-  readonly default: T;
-  /** Value under the preset `paper`, where it differs. */
-  readonly paper?: T | Pixels;
-  readonly stage: StageName;
-  readonly label: string;
-  readonly doc: string;
-  /** Paper section or "ours". */
-  readonly source: string;
-  /** Shown only when a person asks for all parameters. */
-  readonly advanced?: boolean;
-}
-
-export interface NumberRow extends RowFacts<number> {
-  readonly kind: 'number';
-  readonly min: number;
-  readonly max: number;
-  readonly step: number;
-  readonly unit: '' | 'm' | 'm²' | 'px/m' | 'points';
-}
-/** A number the pipeline works out by itself unless a person sets it. */
-export interface AutoNumberRow extends RowFacts<number | 'auto'> {
-  readonly kind: 'auto-number';
-  readonly min: number;
-  readonly max: number;
-  readonly step: number;
-  readonly unit: NumberRow['unit'];
-}
-export interface FlagRow extends RowFacts<boolean> {
-  readonly kind: 'flag';
-}
-export interface ChoiceRow<C extends string = string> extends RowFacts<C> {
-  readonly kind: 'choice';
-  readonly choices: readonly C[];
-}
-/** A comma-separated list of choices; the last one counts for all that follow. */
-export interface ChoiceListRow<C extends string = string> extends RowFacts<readonly C[]> {
-  readonly kind: 'choice-list';
-  readonly choices: readonly C[];
-}
-/** `auto`, one of the three levels, or a height band `low:high` in metres above the floor. */
-export interface LevelRow extends RowFacts<LevelChoice> {
-  readonly kind: 'level';
-}
-/** `none`, `gaps`, or doors `x,y,width[,height]` joined by semicolons; `parseDoors` reads it. */
-export interface DoorsRow extends RowFacts<string> {
-  readonly kind: 'doors';
-}
-export type LevelChoice = 'auto' | '0' | '1' | '2' | `${number}:${number}`;
-
-export type ParamRow = NumberRow | AutoNumberRow | FlagRow | ChoiceRow | ChoiceListRow | LevelRow | DoorsRow;
-
-const px = (value: number): Pixels => ({ px: value, power: 1 });
-const px2 = (value: number): Pixels => ({ px: value, power: 2 });
-type In<U> = { readonly unit: U };
-const number = <U extends NumberRow['unit']>(row: Omit<NumberRow, 'kind'> & In<U>): NumberRow & In<U> => ({
-  kind: 'number',
-  ...row,
-});
-const autoNumber = <U extends NumberRow['unit']>(
-  row: Omit<AutoNumberRow, 'kind'> & In<U>,
-): AutoNumberRow & In<U> => ({ kind: 'auto-number', ...row });
-const flag = (row: Omit<FlagRow, 'kind'>): FlagRow => ({ kind: 'flag', ...row });
-const choice = <const C extends string>(
-  choices: readonly C[],
-  row: Omit<ChoiceRow<C>, 'kind' | 'choices'>,
-): ChoiceRow<C> => ({ kind: 'choice', choices, ...row });
-const choiceList = <const C extends string>(
-  choices: readonly C[],
-  row: Omit<ChoiceListRow<C>, 'kind' | 'choices'>,
-): ChoiceListRow<C> => ({ kind: 'choice-list', choices, ...row });
-const level = (row: Omit<LevelRow, 'kind'>): LevelRow => ({ kind: 'level', ...row });
-const doors = (row: Omit<DoorsRow, 'kind'>): DoorsRow => ({ kind: 'doors', ...row });
 
 /**
  * Every number a person may set: options, ranges, controls, attributes, flags and docs are made from this table,
@@ -90,7 +22,7 @@ export const PARAMS = {
     default: 'auto',
     stage: 'read',
     label: 'Preset',
-    doc: "Start values: building for 3D scans, paper for ready slices (the paper's own numbers); auto picks between them.",
+    doc: "Start values: building for 3D scans, paper for ready slices (the paper's own numbers; what it has no number for stays ours: opening length, bridged gaps, slabs); auto picks between them.",
     source: 'ours',
   }),
   resolution: number({
@@ -258,7 +190,7 @@ export const PARAMS = {
     unit: 'm',
     stage: 'boundary',
     label: 'Bridge gaps up to',
-    doc: 'Gaps in a wall up to this width are bridged when the outline would fall through them into the room; 0 never bridges.',
+    doc: 'Gaps in a wall up to this width are bridged when the outline would fall through them into the room; 0 never bridges, as the paper.',
     source: 'ours',
   }),
   alpha: autoNumber({
@@ -357,7 +289,7 @@ export const PARAMS = {
     unit: '',
     stage: 'secondary',
     label: 'Secondary boundaries',
-    doc: 'How many columns, shafts or cubicles stand inside the outline; the paper method runs k-means with one cluster more. auto proposes: robust takes what is surely hollow and no piece of wall, paper the number of clusters with the best silhouette, less one.',
+    doc: 'How many columns, shafts or cubicles stand inside the outline; the paper method runs k-means with one cluster more. auto proposes: robust takes what is surely hollow and no piece of wall, paper the number of clusters with the best silhouette, less one. The preset paper starts at 0: its authors counted by eye.',
     source: '[Stojanovic19] §3.1',
   }),
   secondaryMethod: choice(['robust', 'paper'], {
@@ -480,7 +412,7 @@ export const PARAMS = {
     default: true,
     stage: 'solid',
     label: 'Floor slab',
-    doc: 'Add a slab under the walls.',
+    doc: 'Add a slab under the walls; subtracted structures are cut out of it.',
     source: 'ours',
   }),
   ceilingSlab: flag({

@@ -10,41 +10,19 @@ import { regulariseBoundary } from './regularise.ts';
 import { findSecondary } from './secondary.ts';
 import { makeSlice } from './slice.ts';
 import { sourceCoordinates } from './source-coordinates.ts';
-import type {
-  Boundary,
-  FloorPlan,
-  Frame,
-  Level,
-  PointCloud,
-  RegularisedBoundary,
-  Scan,
-  SecondaryResult,
-  Slice,
-} from './types.ts';
+import type { FloorPlan, Frame, Scan } from './types.ts';
 import { findWallPoints } from './wall-columns.ts';
 
 /** Places told to a person, m: a centimetre finds any gap. */
 const TOLD_PRECISION = 0.01;
 
-/** What the stages from `frame` to `plan` make of a scan. */
-export interface PlanResult {
-  readonly cloud: PointCloud;
-  /** Points left out as outliers. */
-  readonly outliers: number;
-  readonly levels: readonly Level[];
-  readonly slice: Slice;
-  readonly boundary: Boundary;
-  readonly regularised: RegularisedBoundary;
-  readonly secondary: SecondaryResult;
-  readonly plan: FloorPlan;
-}
-
 /**
- * The paper's chain from a scan to its floor plan ([Stojanovic19] §3–3.1), every stage cached.
+ * The paper's chain from a scan to its floor plan ([Stojanovic19] §3–3.1), every stage cached; `run.results` has what
+ * each of them made.
  *
  * @throws option/…, input/degenerate, input/too-few-points, result/…, cancelled
  */
-export async function planScan(scan: Scan, options: Options, run: PipelineRun): Promise<PlanResult> {
+export async function planScan(scan: Scan, options: Options, run: PipelineRun): Promise<FloorPlan> {
   const cloud = await run.stage(
     'frame',
     options,
@@ -92,9 +70,11 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     options,
     (context) => findSecondary(slice, regularised, options, context),
     ({ boundaries }) =>
-      `${count(boundaries.length, 'structure')}${options.secondaryCount === 'auto' ? ' (proposed)' : ''}`,
+      options.secondaryCount === 'auto'
+        ? `${boundaries.length} proposed`
+        : count(boundaries.length, 'structure'),
   );
-  const plan = await run.stage(
+  return run.stage(
     'plan',
     options,
     (context) => {
@@ -103,8 +83,6 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     },
     ({ storeys }) => count(storeys.length, 'storey'),
   );
-  const { levels } = level;
-  return { cloud, outliers: total - kept.length, levels, slice, boundary, regularised, secondary, plan };
 }
 
 /** Seen from above: (691823.12, 5336027.50) m. */

@@ -128,11 +128,13 @@ function offWall({ name }: Wish, away: number): Warning {
   };
 }
 
-function tooWide({ name, width }: Wish, fits: number): Warning {
+function tooWide({ name, width, isGiven }: Wish, fits: number): Warning {
   const outcome = fits < LEAST_WIDTH ? 'it was not cut' : `it was cut ${fits.toFixed(2)} m wide`;
   return {
     code: 'plan/door-too-wide',
     message: `The ${name} is ${width.toFixed(2)} m wide, the wall there ${fits.toFixed(2)} m: ${outcome}.`,
-    hint: 'Move the door away from the corner or make it narrower.',
+    hint: isGiven
+      ? 'Move the door away from the corner or make it narrower.'
+      : 'The gap runs into a corner; if the door is elsewhere, cut it by hand.',
   };
 }

@@ -70,15 +70,18 @@ function asPolygons(rings: readonly Ring[], model: readonly Polygon[]): readonly
   return model.map(({ holes }) => ({ outer: rings[at++], holes: holes.map(() => rings[at++]) }));
 }
 
+const CM2_PER_M2 = 10_000;
+
 function warnOfVanished(
   rings: number,
   { epsilon, areaEpsilon }: Tolerances,
   { warn }: Pick<StageContext, 'warn'>,
 ): void {
   if (rings === 0) return;
+  const round = (value: number) => Number(value.toPrecision(3));
   warn({
     code: 'regularise/epsilon-too-large',
-    message: `${rings === 1 ? 'One ring' : `${rings} rings`} of the outline ${rings === 1 ? 'is' : 'are'} smaller than the tolerance (${epsilon.toPrecision(3)} m, ${areaEpsilon.toPrecision(3)} m²) and kept only the vertices a ring needs.`,
+    message: `${rings === 1 ? 'One ring' : `${rings} rings`} of the outline ${rings === 1 ? 'is' : 'are'} smaller than the tolerance (${round(epsilon)} m, ${round(areaEpsilon * CM2_PER_M2)} cm²) and kept only the vertices a ring needs.`,
     hint: 'Lower epsilon and visvalingamEpsilon, or let them be auto.',
   });
 }

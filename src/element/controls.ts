@@ -1,4 +1,5 @@
-import { type GivenValues, PARAMS, type ParamName, type ParamRow } from '../core/params.ts';
+import type { ParamRow } from '../core/param-rows.ts';
+import { type GivenValues, PARAMS, type ParamName } from '../core/params.ts';
 import { doorsField } from './doors/doors-field.ts';
 import type { Field, FieldFacts } from './field.ts';
 import { icon } from './icon.ts';

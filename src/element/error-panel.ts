@@ -2,7 +2,7 @@ import { FloorPlanError } from '../core/errors.ts';
 import { icon } from './icon.ts';
 import { make, setText } from './make.ts';
 import type { Actions, Panel } from './model.ts';
-import { sayLabels } from './plain-words.ts';
+import { sayLabels, saySentence } from './plain-words.ts';
 
 /** What went wrong, where, and one thing to try. */
 export function makeErrorPanel(actions: Actions): Panel {
@@ -38,7 +38,7 @@ export function makeErrorPanel(actions: Actions): Panel {
       before.hidden = !failed || failed.error !== error || failed.pictures.length === 0;
       if (!error) return;
       const known = error instanceof FloorPlanError;
-      setText(message, sayLabels(error.message));
+      setText(message, saySentence(error.message));
       setText(
         hint,
         known ? sayLabels(error.hint) : 'This is a bug. Please report it with the file, if you can share it.',

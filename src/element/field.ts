@@ -1,4 +1,5 @@
-import type { ParamName, ParamRow } from '../core/params.ts';
+import type { ParamRow } from '../core/param-rows.ts';
+import type { ParamName } from '../core/params.ts';
 import type { Model } from './model.ts';
 
 /** What a person edits one value with. */

@@ -1,4 +1,4 @@
-import type { LevelChoice } from '../core/params.ts';
+import type { LevelChoice } from '../core/param-rows.ts';
 import type { Level } from '../core/types.ts';
 import {
   type DisplayUnit,

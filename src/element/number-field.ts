@@ -1,5 +1,6 @@
 import { resolveOptions } from '../core/options.ts';
-import { type AutoNumberRow, type NumberRow, PARAMS, type ParamName } from '../core/params.ts';
+import type { AutoNumberRow, NumberRow } from '../core/param-rows.ts';
+import { PARAMS, type ParamName } from '../core/params.ts';
 import type { Field, FieldFacts } from './field.ts';
 import { make, setAttribute } from './make.ts';
 import { fromTravel, hasSlider, toTravel } from './slider-scale.ts';

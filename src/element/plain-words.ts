@@ -1,4 +1,5 @@
-import { PARAMS, type ParamName, type ParamRow } from '../core/params.ts';
+import type { ParamRow } from '../core/param-rows.ts';
+import { PARAMS, type ParamName } from '../core/params.ts';
 
 /** `bridgeGap` among words; names of a single word are plain English and stay. */
 const CODE_NAME = /\b[a-z]+(?:[A-Z0-9][A-Za-z0-9]*)+\b/g;
@@ -13,6 +14,11 @@ export function sayLabels(text: string): string {
   return text.replace(CODE_NAME, (name) =>
     Object.hasOwn(PARAMS, name) ? `“${(PARAMS[name as ParamName] as ParamRow).label}”` : name,
   );
+}
+
+/** An error's message as a sentence of its own: "expected …" starts one, a file's or a parameter's name is left as it is. */
+export function saySentence(message: string): string {
+  return sayLabels(message.replace(/^expected\b/, 'Expected'));
 }
 
 /** `gift-opening` → `Gift opening`; units and axes as they are. */

@@ -1,4 +1,4 @@
-import { type Options, PARAMS } from '../core/params.ts';
+import { type Options, PARAMS, type ParamName } from '../core/params.ts';
 import { make, setText } from './make.ts';
 import type { Actions, Panel } from './model.ts';
 import { sayChoice } from './plain-words.ts';
@@ -8,7 +8,12 @@ type Preset = Options['preset'];
 
 const PROMISES: Readonly<Record<Exclude<Preset, 'auto'>, string>> = {
   building: 'Every parameter has its value for 3D scans of buildings',
-  paper: 'Every parameter has the value of the paper, its pixels turned into metres by “Pixels per metre”',
+  paper: `Every parameter has the value of the paper, its pixels turned into metres by ${sayLabel('pixelsPerMetre')}`,
+};
+/** What a person would otherwise take for the paper's. */
+const RESERVATIONS: typeof PROMISES = {
+  building: '',
+  paper: ` It has none for ${sayLabel('openingLength')}, ${sayLabel('bridgeGap')} and ${sayLabel('floorSlab')}, which stay ours; with ${sayLabel('bridgeGap')} at 0 the outline falls through doors, as the paper’s does.`,
 };
 
 /** The start values of all parameters, one click each. */
@@ -30,10 +35,15 @@ export function makePresetPicker(actions: Actions): Panel {
       const preset = given.preset ?? 'auto';
       picker.set(preset);
       const others = Object.keys(given).length - (given.preset === undefined ? 0 : 1);
-      if (preset !== 'auto') setText(words, `${PROMISES[preset]}${exceptions(others)}.`);
+      if (preset !== 'auto')
+        setText(words, `${PROMISES[preset]}${exceptions(others)}.${RESERVATIONS[preset]}`);
       else setText(words, view ? `${doc} Now: ${options.preset}.` : doc);
     },
   };
+}
+
+function sayLabel(name: ParamName): string {
+  return `“${PARAMS[name].label}”`;
 }
 
 function exceptions(count: number): string {

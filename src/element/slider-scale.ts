@@ -1,4 +1,4 @@
-import type { AutoNumberRow, NumberRow } from '../core/params.ts';
+import type { AutoNumberRow, NumberRow } from '../core/param-rows.ts';
 
 /** Ranges of more steps than this are too fine for an even slider: theirs grows with the cube of its travel. */
 const EVEN_STEPS = 200;

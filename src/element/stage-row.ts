@@ -1,4 +1,5 @@
-import { PARAM_NAMES, PARAMS, type ParamName, type ParamRow } from '../core/params.ts';
+import type { ParamRow } from '../core/param-rows.ts';
+import { PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
 import { STAGE_NAMES, STAGES, type StageName } from '../core/stages.ts';
 import { formatDuration } from '../view/measure.ts';
 import { makeControl } from './controls.ts';

@@ -46,13 +46,13 @@ export interface Report {
  * @param peakMemoryMB highest resident memory, where the environment knows it
  */
 export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: number): Report {
-  const { scan, cloud, levels, boundary, plan, solid, stages, warnings } = result;
-  const { name, format, bytes, pointsRead, pointsKept } = scan.facts;
-  const { up, unit } = cloud.frame;
+  const { read, frame, level, boundary, plan, solid, stages, warnings } = result;
+  const { name, format, bytes, pointsRead, pointsKept } = read.facts;
+  const { up, unit } = frame.frame;
   return {
     version: 1,
-    input: { name, format, bytes, pointsRead, pointsKept, up, unit, bounds: scan.bounds },
-    levels,
+    input: { name, format, bytes, pointsRead, pointsKept, up, unit, bounds: read.bounds },
+    levels: level.levels,
     boundary: {
       method: boundary.method,
       vertices: vertexCount(plan.storeys.flatMap(({ primary }) => primary)),

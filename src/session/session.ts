@@ -153,21 +153,20 @@ export class Session {
         `${facts.pointsKept.toLocaleString('en-GB')} of ${facts.pointsRead.toLocaleString('en-GB')} points`,
     );
     const options = resolveOptions(given, scan);
-    const planned = await planScan(scan, options, run);
-    const solid = await run.stage(
+    const plan = await planScan(scan, options, run);
+    await run.stage(
       'solid',
       options,
-      ({ warn }) => makeSolid(planned.plan, options, warn),
+      ({ warn }) => makeSolid(plan, options, warn),
       ({ indices }) => `${(indices.length / 3).toLocaleString('en-GB')} triangles`,
     );
-    const results = run.results as StageResults;
-    return { ...planned, options, scan, solid, results, stages: run.stages, warnings: run.warnings };
+    return { ...(run.results as StageResults), options, stages: run.stages, warnings: run.warnings };
   }
 }
 
 /** What the writers draw on. */
-export function productOf({ scan, plan, slice, solid, results }: RunResult): Product {
-  return { name: baseName(scan.facts.name), plan, slice, solid, results };
+export function productOf(results: StageResults): Product {
+  return { ...results, name: baseName(results.read.facts.name) };
 }
 
 /** `scan.ply.gz` → `scan`; a name that is all extension stays. */

@@ -19,8 +19,9 @@ export function formatLength(metres: number, unit: DisplayUnit): string {
 
 /** An area in square metres: `14.2 m²`, `153 ft²`. */
 export function formatArea(squareMetres: number, unit: DisplayUnit): string {
-  if (unit === 'm') return `${squareMetres.toFixed(1)} m²`;
-  return `${Math.round(squareMetres / METRES_PER_FOOT ** 2)} ft²`;
+  if (unit === 'm') return `${squareMetres.toFixed(squareMetres < 1 ? 2 : 1)} m²`;
+  const squareFeet = squareMetres / METRES_PER_FOOT ** 2;
+  return `${squareFeet.toFixed(squareFeet < 10 ? 1 : 0)} ft²`;
 }
 
 /** A band of heights, all with the same decimals so that they compare: `0.65 to 2.00 m`, `2′ 2″ to 6′ 7″`. */

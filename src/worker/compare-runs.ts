@@ -20,25 +20,16 @@ export interface ComparedRuns {
  * result the secondary boundaries.
  */
 export function compareRuns({ labels, here, there, timeOf }: ComparedRuns): Comparison {
-  const results: StageResults = {
-    ...here,
-    slice: there.slice,
-    boundary: there.boundary,
-    regularise: there.regularised,
-    secondary: there.secondary,
-    plan: there.plan,
-    solid: there.solid,
-  };
-  const isOutlineSame = here.regularise === there.regularised;
+  const isOutlineSame = here.regularise === there.regularise;
   const subject = isOutlineSame && here.secondary !== there.secondary ? 'secondary' : 'primary';
   const { vertices, areaM2, iou, distance95 } = comparePolygons(
     polygonsOf(here, subject),
-    polygonsOf(results, subject),
+    polygonsOf(there, subject),
   );
   const ran = there.stages.filter(({ isCached }) => !isCached);
   const sides = [
     { label: labels[0], results: here },
-    { label: labels[1], results },
+    { label: labels[1], results: there },
   ] as const;
   // Both runs came to their end, so both have an outline to draw.
   const draw = (layout: 'overlaid' | 'beside') => drawComparison(...sides, { layout, subject })!;
@@ -53,7 +44,7 @@ export function compareRuns({ labels, here, there, timeOf }: ComparedRuns): Comp
     beside: draw('beside'),
     subject,
     here: planOf(here, 0, sum(ran.map(({ name }) => timeOf(name)))),
-    there: planOf(results, 1, sum(ran.map(({ ms }) => ms))),
+    there: planOf(there, 1, sum(ran.map(({ ms }) => ms))),
     iou,
     distance: distance95,
   };

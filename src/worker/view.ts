@@ -13,8 +13,8 @@ export function makeView(
   totalMs: number,
 ): { view: PlanView; transfer: Transferable[] } {
   const result = session.result!;
-  const { options, plan, solid, slice, levels, secondary, stages } = result;
-  const cloud = sampleCloud(result.cloud);
+  const { options, plan, solid, slice, level, secondary, stages } = result;
+  const cloud = sampleCloud(result.frame);
   const drawings = session.write('svg').map(({ content }) => content as string);
   const view = {
     options,
@@ -23,7 +23,7 @@ export function makeView(
     solid,
     cloud,
     slice,
-    levels,
+    levels: level.levels,
     secondary,
     stages,
     report: makeReport(result, totalMs),

@@ -96,7 +96,7 @@ export const WRITE_FORMATS = {
   },
   pictures: {
     label: 'Stage pictures',
-    doc: 'What every stage made, a captioned SVG each: picture-01-cloud.svg to picture-15-model.svg.',
+    doc: 'What every stage made, a captioned SVG each: picture-01-cloud.svg to picture-15-model.svg; where a stage fails, those before it.',
     extension: 'svg',
     mime: 'image/svg+xml',
     isOnRequest: true,

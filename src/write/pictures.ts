@@ -16,7 +16,7 @@ import {
   takenClusters,
 } from './pictures/secondary-pictures.ts';
 
-import type { Product, WrittenFile } from './plan-writer.ts';
+import type { WrittenFile } from './plan-writer.ts';
 
 export type { PictureFacts, PictureRow } from './pictures/picture.ts';
 
@@ -133,7 +133,7 @@ export const PICTURES = {
   },
   model: {
     label: 'Model',
-    doc: 'The extruded walls with secondary boundaries cut out or added, seen from the south-east.',
+    doc: 'The extruded walls with secondary boundaries cut out or added, seen from the south-east; what is cut out of the floor shows dashed through walls.',
     stage: 'solid',
     figure: 'Fig. 1c, 7, 8',
     draw: drawModel,
@@ -181,7 +181,7 @@ function timeWords(ms: number): string {
 }
 
 /** Every picture there is, numbered as in the table; without times, so that equal runs give equal files. */
-export function writePictures({ results }: Product): WrittenFile[] {
+export function writePictures(results: Partial<StageResults>): WrittenFile[] {
   return PICTURE_NAMES.flatMap((name) => {
     const content = drawPicture(name, results);
     return content === null ? [] : [{ name: pictureFile(name), mime: 'image/svg+xml', content }];

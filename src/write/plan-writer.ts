@@ -1,16 +1,11 @@
 import type { StageResults } from '../core/stage-results.ts';
-import type { FloorPlan, Scan, Slice, Solid } from '../core/types.ts';
 
-/** All that writers may draw on; made by one run of the pipeline. */
-export interface Product {
-  /** Base name of the input, without extension; titles drawings. */
-  readonly name: string;
-  readonly plan: FloorPlan;
-  readonly slice: Slice;
-  readonly solid: Solid;
-  /** What the stages made, for their pictures. */
-  readonly results: Partial<StageResults>;
-}
+/** All that writers may draw on: what one run's stages made; pictures alone need more than plan, slice and solid. */
+export type Product = Partial<StageResults> &
+  Pick<StageResults, 'plan' | 'slice' | 'solid'> & {
+    /** Base name of the input, without extension; titles drawings. */
+    readonly name: string;
+  };
 
 /** A file to be saved: its name within the output folder and its content. */
 export interface WrittenFile {
@@ -45,5 +40,3 @@ export interface FileSetFormat extends FormatFacts {
 
 /** A row of WRITE_FORMATS, keyed by the name used in `--formats` and `export(format)`. */
 export type WriteFormat = FileFormat | FileSetFormat;
-
-export type { FloorPlan, Scan };

@@ -123,7 +123,10 @@ test('structures found by two methods are compared by the figures of the structu
   await setOptions(page, { secondaryCount: 1 });
   await expectReady(page);
   await openSteps(page);
+  await setStep(page, 'clusters');
+  await expect(page.getByTestId('refine')).toBeVisible();
   await page.getByTestId('compare').click();
+  await expect(page.getByTestId('refine')).toBeHidden();
   await page.getByTestId('compare-param').selectOption({ label: 'Secondary method' });
   await expect(page.getByTestId('compare-table')).toContainText('Structures');
   const iou = page.getByTestId('compare-iou');
@@ -160,7 +163,9 @@ test('after a failed run the plan stays and the step before the failing one can 
   await expect(pictureShown(page)).toHaveAttribute('data-picture', 'slice');
   await expect(page.getByTestId('step-picture')).toBeFocused();
   await expect(page.getByRole('tab')).toHaveCount(3);
-  await expect(page.getByRole('region', { name: 'The run that failed' })).toContainText('Outline failed');
+  const banner = page.getByRole('region', { name: 'The run that failed' });
+  await expect(banner).toContainText('Outline failed');
+  await expect(banner).toContainText('Raise alpha');
   await page.getByRole('button', { name: 'Back to the plan' }).click();
   await expect(page.getByTestId('step-model')).toBeAttached();
   await setOptions(page, {});
@@ -197,7 +202,10 @@ test("one click gives every parameter the paper's value, and undo takes it back"
   await setOptions(page, { visvalingamPass: false, strokeWidth: 0.3, unit: 'm' });
   await expectReady(page);
   await page.getByRole('group', { name: 'Preset' }).getByRole('button', { name: 'Paper' }).click();
-  await expect(page.getByText(/Every parameter has the value of the paper/)).toBeVisible();
+  const promise = page.getByText(/Every parameter has the value of the paper/);
+  await expect(promise).toBeVisible();
+  // What it does not take from the paper is said where it is promised.
+  await expect(promise).toContainText('with “Bridge gaps up to” at 0 the outline falls through doors');
   await expect.poll(() => options(page)).toEqual({ preset: 'paper', unit: 'm' });
   await expectReady(page);
   // What a stage holds is made when it first opens, its second fold with it.
@@ -243,6 +251,12 @@ test('the structure is refined by hand, once more at a time, and undo takes it b
   expect(saved.text).toContain('round 1');
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect.poll(() => options(page)).toEqual({ secondaryCount: 1 });
+  await expect(second).toBeHidden();
+  // Beside the picture too: on a phone the undo of the rail is out of sight.
+  await expect(page.getByTestId('take-back')).toBeHidden();
+  await page.getByTestId('refine').click();
+  await page.getByTestId('take-back').click();
+  await expect.poll(() => options(page)).toEqual({ secondaryCount: 1, secondaryRounds: 1 });
   await expect(second).toBeHidden();
 });
 

@@ -58,7 +58,7 @@ function productOf(inner: Ring, facts: Partial<Frame>, name = 'scan'): Product {
       },
     ],
   });
-  return { name, plan, slice: { xy: inner, band: [1, 2], spacing: 0.02 }, solid: SOLID, results: {} };
+  return { name, plan, slice: { xy: inner, band: [1, 2], spacing: 0.02 }, solid: SOLID };
 }
 
 /** Largest distance in metres between a ring and positions in source coordinates. */

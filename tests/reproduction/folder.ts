@@ -5,6 +5,11 @@ import { fileURLToPath } from 'node:url';
 /** Where the page lies; part of the site. */
 export const pageFolder = fileURLToPath(new URL('../../public/reproduction', import.meta.url));
 
+/** The colours of the app, which the page has beside it: it is read without a build, too. */
+export function appPalette(): string {
+  return readFileSync(new URL('../../src/element/palette.css', import.meta.url), 'utf8');
+}
+
 export function readText(name: string): string {
   return readFileSync(join(pageFolder, name), 'utf8');
 }

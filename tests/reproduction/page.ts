@@ -31,6 +31,7 @@ export function renderPage(results: Results, times: Times, sizes: PictureSizes):
 <meta name="color-scheme" content="light dark">
 <title>The paper reproduced – Grundriss</title>
 <link rel="icon" href="../icon.svg" type="image/svg+xml">
+<link rel="stylesheet" href="palette.css">
 <link rel="stylesheet" href="reproduction.css">
 </head>
 <body>

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { parseXml } from '../unit/write/strict-xml.ts';
 import { drawPanels, FIGURES } from './figures.ts';
-import { pageFolder, readText } from './folder.ts';
+import { appPalette, pageFolder, readText } from './folder.ts';
 import { OUTLINE_METHODS } from './outlines.ts';
 import { renderPage } from './page.ts';
 import { PAPER_SETS } from './paper-sets.ts';
@@ -29,6 +29,7 @@ describe('the committed page of the reproduction', () => {
   it('is made from the committed numbers and pictures', () => {
     const sizes = new Map(panels.map(({ file }) => [file, sizeOf(readText(`${file}.svg`))]));
     expect(page, STALE).toBe(renderPage(results, times, sizes));
+    expect(readText('palette.css'), STALE).toBe(appPalette());
   });
 
   it('has the numbers that a run on one set gives today', async () => {

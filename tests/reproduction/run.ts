@@ -4,7 +4,7 @@
  */
 import { runExperiments } from './experiments.ts';
 import { drawPanels, FIGURES } from './figures.ts';
-import { pageFolder, removeOthers, write } from './folder.ts';
+import { appPalette, pageFolder, removeOthers, write } from './folder.ts';
 import { renderPage } from './page.ts';
 import { PAPER_SETS } from './paper-sets.ts';
 import { rasterise, sizeOf } from './raster.ts';
@@ -30,6 +30,7 @@ for (const [file, svg] of panels) {
 const sizes = new Map([...panels].map(([file, svg]) => [file, sizeOf(svg)]));
 // The page is made from what the files hold, so that a test can make it again from them.
 const [resultsJson, timesJson] = [toJson(results), toJson(times)];
+write('palette.css', appPalette());
 write('results.json', resultsJson);
 write('times.json', timesJson);
 write('index.html', renderPage(JSON.parse(resultsJson), JSON.parse(timesJson), sizes));

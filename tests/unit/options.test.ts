@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { FloorPlanError } from '../../src/core/errors.ts';
 import { parseParam, resolveOptions } from '../../src/core/options.ts';
-import { kebabCase, PARAM_NAMES, PARAMS, type ParamRow } from '../../src/core/params.ts';
+import type { ParamRow } from '../../src/core/param-rows.ts';
+import { kebabCase, PARAM_NAMES, PARAMS } from '../../src/core/params.ts';
 import { STAGES } from '../../src/core/stages.ts';
 
 function codeOf(act: () => unknown): string {

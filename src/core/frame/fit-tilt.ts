@@ -1,6 +1,6 @@
 import type { Vec3 } from '../types.ts';
 import { alignment, type HeightPlane, heightsAlong } from './height-planes.ts';
-import { medianOf } from './robust-scale.ts';
+import { DEVIATION_BY_MEDIAN, medianOf } from './robust-scale.ts';
 import { multiply, type Rotation, rotate, rotationToZ } from './rotation.ts';
 import type { SurfacePatches } from './surface-patches.ts';
 
@@ -101,8 +101,7 @@ function robustSlopes(
       const z = fit.offset + fit.slopeX * points[3 * i] + fit.slopeY * points[3 * i + 1];
       residuals[i] = Math.abs(points[3 * i + 2] - z);
     }
-    // 1.4826 turns a median absolute deviation into a standard deviation.
-    limit = Math.max(leastLimit, CUT * 1.4826 * medianOf(residuals.slice()));
+    limit = Math.max(leastLimit, CUT * DEVIATION_BY_MEDIAN * medianOf(residuals.slice()));
   }
   if (!fit) return null;
   let squares = 0;

@@ -2,6 +2,9 @@ const SAMPLES = 50_000;
 /** Shares of the points that may be astray on either side without moving a trimmed bound. */
 const TRIM = 0.02;
 
+/** Turns a median absolute deviation into a standard deviation, for a normal distribution. */
+export const DEVIATION_BY_MEDIAN = 1.4826;
+
 /** Bounds of a cloud along its three axes, x, y, z. */
 export interface Bounds {
   readonly min: Float64Array;

@@ -5,8 +5,8 @@ import { make, setAttribute } from '../make.ts';
 import type { Actions, Model, Panel } from '../model.ts';
 
 /**
- * The hand's part in [Stojanovic19] §3.1: which cluster holds the structure, and one more round of refinement. Shown
- * beside the pictures of the structures; both are parameters, so undo takes them back.
+ * The hand's part in [Stojanovic19] §3.1: which cluster holds the structure, and one more round of refinement, or
+ * one less. Shown beside the pictures of the structures; both are parameters, so undo takes them back too.
  */
 export class ClusterPicker implements Panel {
   readonly node: HTMLElement;
@@ -17,23 +17,16 @@ export class ClusterPicker implements Panel {
     'aria-label': 'Cluster of the structure',
   });
   readonly #refine: HTMLButtonElement;
+  readonly #takeBack: HTMLButtonElement;
   #rounds = 1;
   #clusters: Uint8Array | null = null;
 
   constructor(actions: Actions) {
     this.#actions = actions;
-    this.#refine = make(
-      'button',
-      {
-        type: 'button',
-        class: 'button',
-        testid: 'refine',
-        title: PARAMS.secondaryRounds.doc,
-        on: { click: () => actions.change({ secondaryRounds: this.#rounds + 1 }, true) },
-      },
-      'Refine once more',
-    );
-    this.node = make('div', { class: 'cluster-picker', hidden: true }, this.#list, this.#refine);
+    this.#refine = this.#roundButton('Refine once more', 'refine', 1);
+    this.#takeBack = this.#roundButton('Take back', 'take-back', -1);
+    const refinement = make('div', { class: 'refinement' }, this.#takeBack, this.#refine);
+    this.node = make('div', { class: 'cluster-picker', hidden: true }, this.#list, refinement);
   }
 
   show({ steps, view, options }: Model): void {
@@ -49,12 +42,27 @@ export class ClusterPicker implements Panel {
       setAttribute(button, 'aria-pressed', String((button as HTMLElement).dataset.cluster === picked));
     this.#rounds = options.secondaryRounds;
     this.#refine.disabled = this.#rounds >= PARAMS.secondaryRounds.max;
+    this.#takeBack.hidden = this.#rounds <= PARAMS.secondaryRounds.min;
   }
 
   /** Takes the cluster that was pressed in the picture. */
   pick(pressed: Element): void {
     const [kind, cluster] = (pressed as SVGElement).dataset.pick?.split(':') ?? [];
     if (!this.node.hidden && kind === 'cluster') this.#choose(Number(cluster));
+  }
+
+  #roundButton(label: string, testid: string, by: 1 | -1): HTMLButtonElement {
+    return make(
+      'button',
+      {
+        type: 'button',
+        class: 'button',
+        testid,
+        title: PARAMS.secondaryRounds.doc,
+        on: { click: () => this.#actions.change({ secondaryRounds: this.#rounds + by }, true) },
+      },
+      label,
+    );
   }
 
   #choose(cluster: number | 'auto'): void {

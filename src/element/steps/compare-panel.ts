@@ -5,7 +5,7 @@ import { iconButton } from '../chips.ts';
 import { icon } from '../icon.ts';
 import { make, setAttribute, setText } from '../make.ts';
 import type { Actions, Model } from '../model.ts';
-import { sayLabels } from '../plain-words.ts';
+import { saySentence } from '../plain-words.ts';
 import { makeSwitch } from '../switch.ts';
 import { changeTo, type Difference, differences, FIRST_COMPARED, firstValue } from './compared-params.ts';
 import { ComparisonTable } from './comparison-table.ts';
@@ -191,5 +191,5 @@ export class ComparePanel {
 function sayError(error: unknown): string {
   if (!(error instanceof FloorPlanError)) return 'The comparison failed. This is a bug; please report it.';
   if (error.code === 'cancelled') return 'Stopped. Choose again to compare.';
-  return sayLabels(`${error.message} ${error.hint} (${error.code})`);
+  return saySentence(`${error.message} ${error.hint} (${error.code})`);
 }

@@ -1,11 +1,5 @@
-import {
-  type GivenValues,
-  type Options,
-  PARAM_NAMES,
-  PARAMS,
-  type ParamName,
-  type ParamRow,
-} from '../../core/params.ts';
+import type { ParamRow } from '../../core/param-rows.ts';
+import { type GivenValues, type Options, PARAM_NAMES, PARAMS, type ParamName } from '../../core/params.ts';
 import { STAGE_NAMES } from '../../core/stages.ts';
 import { sayChoice } from '../plain-words.ts';
 

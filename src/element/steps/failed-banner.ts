@@ -1,13 +1,15 @@
+import { FloorPlanError } from '../../core/errors.ts';
 import { STAGES } from '../../core/stages.ts';
 import { icon } from '../icon.ts';
 import { make, setText } from '../make.ts';
 import type { Actions, Panel } from '../model.ts';
 import { sayLabels } from '../plain-words.ts';
 
-/** Says that the pictures are of a run that failed, why it did, and leads back to the plan shown. */
+/** Says that the pictures are of a run that failed, why it did and what to try, and leads back to the plan shown. */
 export class FailedBanner implements Panel {
   readonly node: HTMLElement;
   readonly #words = make('p', {});
+  readonly #hint = make('p', { class: 'hint' });
   readonly #back: HTMLButtonElement;
 
   constructor(actions: Actions) {
@@ -17,7 +19,7 @@ export class FailedBanner implements Panel {
       'section',
       { class: 'failed-banner', 'aria-label': 'The run that failed', hidden: true },
       icon('alert'),
-      this.#words,
+      make('div', {}, this.#words, this.#hint),
       this.#back,
     );
   }
@@ -25,7 +27,9 @@ export class FailedBanner implements Panel {
   show({ steps, failed, view }: Parameters<Panel['show']>[0]): void {
     this.node.hidden = steps.of !== 'failed' || !failed;
     if (!failed) return;
-    setText(this.#words, `${STAGES[failed.stage].label} failed: ${sayLabels(failed.error.message)}`);
+    const { error, stage } = failed;
+    setText(this.#words, `${STAGES[stage].label} failed: ${sayLabels(error.message)}`);
+    setText(this.#hint, error instanceof FloorPlanError ? sayLabels(error.hint) : '');
     this.#back.hidden = view === null;
   }
 }

@@ -4,7 +4,7 @@ import type { PictureFacts } from '../../worker/protocol.ts';
 import { saveFile } from '../files.ts';
 import { make, setAttribute, setText } from '../make.ts';
 import type { Actions, Model } from '../model.ts';
-import { sayLabels } from '../plain-words.ts';
+import { saySentence } from '../plain-words.ts';
 import { addStyles } from '../styles.ts';
 import { Caption } from './caption.ts';
 import { ClusterPicker } from './cluster-picker.ts';
@@ -90,6 +90,7 @@ export class StepsPane {
     this.#banner.show(model);
     this.#caption.show(model.steps, picture, this.#roundOf(picture));
     this.#clusters.show(model);
+    if (this.isComparing) this.#clusters.node.hidden = true;
     this.#strip.show(pictures, picture);
     this.#compare.show(model);
     setAttribute(this.#host, 'aria-label', `${picture.label}. ${HINT}`);
@@ -104,6 +105,7 @@ export class StepsPane {
     else this.#compare.close();
     this.#onCompare(isComparing);
     for (const part of [this.#caption.node, this.#strip.node]) part.hidden = isComparing;
+    this.#clusters.node.hidden = true;
     if (isComparing) return;
     this.#shown = '';
     this.show(this.#model);
@@ -214,5 +216,5 @@ function sayError(error: unknown): string {
   if (!(error instanceof FloorPlanError))
     return 'This picture could not be drawn. This is a bug; please report it.';
   if (error.code === 'cancelled') return '';
-  return sayLabels(`${error.message} ${error.hint} (${error.code})`);
+  return saySentence(`${error.message} ${error.hint} (${error.code})`);
 }

@@ -101,6 +101,6 @@ function within(xy: Float64Array, bands: readonly Float64Array[]): Float64Array 
 function heightLegend({ floor, low, high }: HeightRange): LegendEntry[] {
   return NAMED.map((share) => ({
     colour: heightColour(share),
-    label: `${(low + share * (high - low) - floor).toFixed(1).replace('-0.0', '0.0')} m`,
+    label: `${(low + share * (high - low) - floor).toFixed(1).replace('-0.0', '0.0').replace('-', '−')} m`,
   }));
 }

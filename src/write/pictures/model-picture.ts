@@ -1,4 +1,4 @@
-import { ringsOf } from '../../core/geometry/rings.ts';
+import { isCounterClockwise, ringsOf } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import { turnToSquare } from '../sheet-turn.ts';
 import { path } from './marks.ts';
@@ -15,10 +15,11 @@ import { type GroupRings, type SolidSlab, slabsOf } from './solid-slabs.ts';
 const SHADOW = 0.3;
 const SHADE = 0.09;
 const EDGE = { fill: 'none', stroke: INK, 'stroke-width': 0.7, 'stroke-linecap': 'round' } as const;
+const HIDDEN_EDGE = { ...EDGE, 'stroke-dasharray': '4 3' } as const;
 /** A face's own colour along its edge closes the seams that smoothing would leave, px. */
 const SEAM = 0.5;
 
-/** Fig. 1c, 7, 8: the solid in parallel projection, hidden faces truly hidden. */
+/** Fig. 1c, 7, 8: the solid in parallel projection, hidden faces truly hidden but for what is cut out of the floor. */
 export function drawModel({ solid, plan }: Partial<StageResults>): Drawing | null {
   if (solid === undefined || solid.indices.length === 0) return null;
   const turn = turnToSquare(plan?.storeys.flatMap(({ primary }) => primary) ?? []);
@@ -31,9 +32,10 @@ export function drawModel({ solid, plan }: Partial<StageResults>): Drawing | nul
       group.kind === 'floor' ? paintShadow(rings, slab.high, slabs.slice(k + 1), eye) : [],
     ),
   ]);
+  const hidden = slabs.flatMap(({ tops, high }) => tops.flatMap((top) => paintCuts(top, high, eye)));
   return {
     height: eye.height,
-    items,
+    items: [...items, ...hidden],
     counts: [
       countOf(solid.positions.length / 3, 'vertex', 'vertices'),
       countOf(solid.indices.length / 3, 'triangle'),
@@ -67,6 +69,20 @@ function paintTop({ group, rings }: GroupRings, z: number, eye: Eye): string {
     true,
     { ...EDGE, fill: topColour(group.kind), 'fill-rule': 'evenodd', 'stroke-linejoin': 'round' },
   );
+}
+
+/** Where a structure is cut out of a floor, dashed through the walls before it; on a visible edge no dash shows. */
+function paintCuts({ group, rings }: GroupRings, z: number, eye: Eye): string[] {
+  const cuts = group.kind === 'floor' ? rings.filter((ring) => !isCounterClockwise(ring)) : [];
+  return cuts.length === 0
+    ? []
+    : [
+        path(
+          cuts.map((ring) => eye.map(ring, z)),
+          true,
+          HIDDEN_EDGE,
+        ),
+      ];
 }
 
 function paintShadow(

@@ -99,6 +99,17 @@ describe('a good scan', () => {
 });
 
 describe('bad input', () => {
+  it('of a run that fails, the pictures asked for are those before the failing stage', async () => {
+    const out = join(folder, 'evidence');
+    const failing = ['--boundary', 'alpha-shape', '--alpha', '0.001'];
+    const { exitCode, stderr } = await grundriss(hallway, '-o', out, ...failing, '--formats', 'svg,pictures');
+    expect(exitCode).toBe(4);
+    expect(stderr).toContain('result/no-boundary');
+    expect((await readdir(out)).sort()).toEqual(['picture-01-cloud.svg', 'picture-03-slice.svg']);
+    await grundriss(hallway, '-o', join(folder, 'no-evidence'), ...failing);
+    await expect(readdir(join(folder, 'no-evidence'))).rejects.toThrow('ENOENT');
+  });
+
   it.each(BAD_INPUTS.map((bad) => [bad.name, bad] as const))(
     '%s gives its error and leaves nothing',
     async (_, bad) => {

@@ -428,8 +428,8 @@ test('a proposal is told in the outcome of the stage', async () => {
   const source = blobSource(new Blob([`x,y\n${rows.join('\n')}\n`]), 'room.csv');
   const outcome = async (given: Given) =>
     (await session.load(source, given)).stages.find(({ name }) => name === 'secondary')?.outcome;
-  expect(await outcome({ secondaryMethod: 'robust', secondaryCount: 'auto' })).toBe('1 structure (proposed)');
-  expect(await outcome({ secondaryCount: 'auto' })).toBe('1 structure (proposed)');
+  expect(await outcome({ secondaryMethod: 'robust', secondaryCount: 'auto' })).toBe('1 proposed');
+  expect(await outcome({ secondaryCount: 'auto' })).toBe('1 proposed');
   expect(await outcome({ secondaryCount: 1 })).toBe('1 structure');
 });
 

@@ -1,12 +1,18 @@
 import { expect, it } from 'vitest';
-import { PARAMS, type ParamRow } from '../../../src/core/params.ts';
-import { sayChoice, sayLabels } from '../../../src/element/plain-words.ts';
+import type { ParamRow } from '../../../src/core/param-rows.ts';
+import { PARAMS } from '../../../src/core/params.ts';
+import { sayChoice, sayLabels, saySentence } from '../../../src/element/plain-words.ts';
 
 it('parameters are called by the label of their control', () => {
   expect(sayLabels('Raise the opening length, or bridgeGap, now 3.5 m.')).toBe(
     `Raise the opening length, or “${PARAMS.bridgeGap.label}”, now 3.5 m.`,
   );
   expect(sayLabels('samplesPer50M2 is low')).toBe(`“${PARAMS.samplesPer50M2.label}” is low`);
+});
+
+it('an error starts as a sentence unless a name comes first', () => {
+  expect(saySentence('expected 3 points, found 2')).toBe('Expected 3 points, found 2');
+  expect(saySentence('a.csv: expected 3 points')).toBe('a.csv: expected 3 points');
 });
 
 it('plain words and names of something else stay', () => {

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { resolveOptions } from '../../../src/core/options.ts';
-import { PARAM_NAMES, PARAMS, type ParamName, type ParamRow } from '../../../src/core/params.ts';
+import type { ParamRow } from '../../../src/core/param-rows.ts';
+import { PARAM_NAMES, PARAMS, type ParamName } from '../../../src/core/params.ts';
 import { fromTravel, hasSlider, toTravel } from '../../../src/element/slider-scale.ts';
 
 const rows = PARAM_NAMES.flatMap((name) => {

@@ -48,6 +48,9 @@ describe('other measures', () => {
   it('areas', () => {
     expect(formatArea(14.24, 'm')).toBe('14.2 m²');
     expect(formatArea(9.290304, 'ft')).toBe('100 ft²');
+    // A column or a shaft.
+    expect([0.018, 0.25].map((area) => formatArea(area, 'm'))).toEqual(['0.02 m²', '0.25 m²']);
+    expect(formatArea(0.0232, 'ft')).toBe('0.2 ft²');
   });
   it('counts and durations', () => {
     expect(formatCount(1234567)).toBe('1,234,567');

@@ -95,6 +95,23 @@ describe('hidden faces are hidden: what is painted last at a place is what a ray
   });
 });
 
+test('what is cut out of the floor shows dashed through the walls', async () => {
+  const wall = { outline: wallAround(hall, 0.2), thickness: 0.2, confidence: 1 };
+  const room = { primary: [{ outer: hall, holes: [] }], walls: [wall] };
+  const drawn = async (facts: PlanFacts) => {
+    const plan = planOf(facts);
+    const solid = await makeSolid(plan, plan.options);
+    const dashed = drawModel({ solid })!.items.filter((item) => item.includes('stroke-dasharray'));
+    return { eye: makeEye(solid, 0), lines: dashed.flatMap(strokesOf) };
+  };
+  const shaft = rectangle(4, 0.4, 1, 1);
+  const { eye, lines } = await drawn({ storeys: [{ ...room, secondary: [secondary(shaft, 'subtract')] }] });
+  expect(lines).toHaveLength(1);
+  const rounded = (xy: ArrayLike<number>) => Array.from(xy, (value) => value.toFixed(1)).sort();
+  expect(rounded(lines[0])).toEqual(rounded(eye.map(shaft, 0)));
+  expect((await drawn({ storeys: [room] })).lines).toEqual([]);
+});
+
 test('a slab has the whole section, without the triangulation', () => {
   const [jambs, lintel] = slabsOf(gate());
   expect(jambs.sections[0].rings.map((section) => section.length / 2)).toEqual([4, 4]);

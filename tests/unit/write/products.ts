@@ -10,7 +10,7 @@ export async function productOf(facts: PlanFacts = {}, name = 'room'): Promise<P
   const solid = await makeSolid(plan, plan.options);
   const xy = plan.storeys.flatMap(({ primary }) => [...primary[0].outer]);
   const slice: Slice = { xy: Float64Array.from(xy), band: [1, 2], spacing: 0.02 };
-  return { name, plan, slice, solid, results: { slice, plan, solid } };
+  return { name, plan, slice, solid };
 }
 
 /** An L-shaped home of 12 m × 9 m with a column, a shaft and one gap in its wall. */

@@ -84,7 +84,17 @@ describe('findBoundary', () => {
     const { polygons } = findBoundary(asSlice(wallsOfEll), optionsWith({ openingLength: 50 }), context);
     expect(context.warnings.map(({ code }) => code)).toContain('boundary/not-opened');
     expect(context.warnings[0].message).toMatch(/50 m.*7\.\d\d m across/);
+    expect(context.warnings[0].hint).toContain('let it be auto');
     expect(polygonArea(polygons[0])).toBeGreaterThan(24);
+  });
+
+  it('has no auto to offer where the length is auto, and tells three digits of it', () => {
+    const context = listeningContext();
+    findBoundary(asSlice(Float64Array.of(0, 0, 1, 0, 1 / 3, 2)), optionsWith({}), context);
+    const [{ code, message, hint }] = context.warnings;
+    expect(code).toBe('boundary/not-opened');
+    expect(message).not.toMatch(/\d\.\d{3}/);
+    expect(hint).not.toContain('auto');
   });
 
   it('takes three points', () => {
