@@ -2,7 +2,7 @@ import { lineIntersection, segmentsTouch } from '../geometry/segments.ts';
 import type { Gap, Ring } from '../types.ts';
 
 /** Stretches of wall beside a gap that are tried as a line, longest first, m; shorter ones do not say where it points. */
-const WALL_STRETCHES = [1, 0.5];
+const WALL_STRETCHES = [1, 0.75, 0.5];
 /** A stretch is straight when no vertex lies farther than this from its line, m: noise of a hand-held scanner. */
 const STRAIGHT = 0.06;
 /** … nor is it bent: two lines do not fit this many times better than one, … */
