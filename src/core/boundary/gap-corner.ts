@@ -98,13 +98,14 @@ function squareCorner(
 interface Direction {
   readonly x: number;
   readonly y: number;
-  /** Length of the straight stretch that tells it, m. */
+  /** Length of the straight stretch that tells it, m; 0 where the wall is bent, and not drawn on. */
   readonly seen: number;
 }
 
 /** The way the wall that ends at vertex `end` points out into the gap. */
 function wallDirection(ring: Ring, end: number, step: 1 | -1): Direction | null {
   const n = ring.length / 2;
+  let bent: Direction | null = null;
   for (const stretch of WALL_STRETCHES) {
     const vertices: number[] = [];
     let reach = 0;
@@ -113,14 +114,22 @@ function wallDirection(ring: Ring, end: number, step: 1 | -1): Direction | null 
       vertices.push(at);
       reach = Math.hypot(ring[2 * at] - ring[2 * end], ring[2 * at + 1] - ring[2 * end + 1]);
     }
-    const direction = reach < stretch ? null : fitDirection(ring, vertices);
-    if (direction !== null) return { x: direction[0], y: direction[1], seen: reach };
+    const line = reach < stretch ? null : fitLine(ring, vertices);
+    if (line === null) continue;
+    const [x, y] = line.towards;
+    if (!line.isBent) return { x, y, seen: reach };
+    bent ??= { x, y, seen: 0 };
   }
-  return null;
+  return bent;
 }
 
-/** Direction of the total least squares line through vertices, towards the first; null when they are not straight. */
-function fitDirection(ring: Ring, vertices: readonly number[]): readonly [x: number, y: number] | null {
+interface FittedLine {
+  readonly towards: readonly [x: number, y: number];
+  readonly isBent: boolean;
+}
+
+/** The total least squares line through vertices, towards the first; null when they are not straight. */
+function fitLine(ring: Ring, vertices: readonly number[]): FittedLine | null {
   const [x0, y0] = [ring[2 * vertices[0]], ring[2 * vertices[0] + 1]];
   const sums = runningMoments(vertices.map((v) => [ring[2 * v] - x0, ring[2 * v + 1] - y0]));
   const [count, sumX, sumY, sumXX, sumXY, sumYY] = sums[vertices.length];
@@ -131,10 +140,10 @@ function fitDirection(ring: Ring, vertices: readonly number[]): readonly [x: num
   const isStraight = vertices.every(
     (v) => Math.abs(ux * (ring[2 * v + 1] - y0 - meanY) - uy * (ring[2 * v] - x0 - meanX)) <= STRAIGHT,
   );
-  if (!isStraight || isBent(sums)) return null;
+  if (!isStraight) return null;
   const last = vertices[vertices.length - 1];
   const along = ux * (x0 - ring[2 * last]) + uy * (y0 - ring[2 * last + 1]);
-  return along > 0 ? [ux, uy] : [-ux, -uy];
+  return { towards: along > 0 ? [ux, uy] : [-ux, -uy], isBent: isBent(sums) };
 }
 
 /** Whether two lines, one up to some vertex and one from there on, fit far better than one line does. */
