@@ -60,6 +60,29 @@ describe('a gap in a wall', () => {
     expect(found[0].from[1]).toBeCloseTo(0, 1);
   });
 
+  it('is named where the walls beside it are scanned every few millimetres', () => {
+    for (let seed = 1; seed <= 6; seed++) {
+      for (const perMetre of [100, 200, 400]) {
+        const gaps = [{ wall: 0, from: 17.7, to: 20.7 }];
+        const xy = scanWalls({ walls: [closed(ROOMS.ell)], perMetre, noise: 0, seed, gaps });
+        const { gaps: found } = findBoundary(asSlice(xy), optionsWith(), listeningContext());
+        const missing = found.reduce((sum, { width }) => sum + width, 0);
+        expect(missing, `seed ${seed}, ${perMetre} points per metre`).toBeGreaterThan(2.6);
+      }
+    }
+  });
+
+  it('makes no corner of a wall that is bent at its end', () => {
+    const room = ROOMS.octagon;
+    const side = Math.hypot(room[1][0] - room[0][0], room[1][1] - room[0][1]);
+    for (const seed of [1, 2, 3]) {
+      const gaps = [{ wall: 0, from: side + 0.2, to: 2 * side - 0.2 }];
+      const xy = scanWalls({ walls: [closed(room)], perMetre: 60, noise: 0, seed, gaps });
+      const { polygons } = findBoundary(asSlice(xy), optionsWith(), listeningContext());
+      expect(areaError(polygons[0].outer, ringOf(room)), `seed ${seed}`).toBeLessThan(0.002);
+    }
+  });
+
   it('loses the room without the safeguard, and says so', () => {
     const gaps = [{ wall: 0, from: 3, to: 3.6 }];
     const xy = scanWalls({ walls: [closed(RECTANGLE)], perMetre: 100, noise: 0.005, seed: 1, gaps });
