@@ -56,7 +56,8 @@ function reproductionRows(): string[][] {
     ...columns.map((column) => sets[name].outlines[column].iou.toFixed(3)),
   ]);
   const percent = (share: number, digits = 0) => `${(100 * share).toFixed(digits)} %`;
-  const worst = (key: 'worst' | 'worstWithout') => percent(Math.max(...doorGaps.map((gap) => gap[key])), 1);
+  const worst = (key: 'worst' | 'worstWithout') =>
+    percent(Math.max(...doorGaps.byWidth.map((gap) => gap[key])), 1);
   const { cases, paper, robust } = structureCases.keptBack;
   return [
     ...hallways,

@@ -6,7 +6,10 @@ const shares = { cases: 100, robust: 0.93, paper: 0.05, paperInner: 0.5 };
 it('shows the experiments of a run, a row each', () => {
   const { text } = experimentSections({
     narrowSpaces: [{ width: 0.3, giftOpening: 0.951, alphaShape: 0.949, alphaShapeRegularised: 0.9 }],
-    doorGaps: [{ width: 0.9, worst: 0.018, mean: 0.004, worstWithout: 0.97, meanWithout: 0.4 }],
+    doorGaps: {
+      byWidth: [{ width: 0.9, worst: 0.018, mean: 0.004, worstWithout: 0.97, meanWithout: 0.4 }],
+      byOpeningLength: [{ openingLength: 2, worst: { ell: 0.017 }, own: 0.033 }],
+    },
     recesses: [{ mouth: 1.2, lowest: 0.981, mean: 0.99 }],
     structureCases: { development: shares, keptBack: shares, byDifficulty: { 'l & <round>': shares } },
   });

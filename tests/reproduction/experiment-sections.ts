@@ -8,6 +8,8 @@ const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
 /** Kinds of cases whose own name a reader would puzzle over. */
 const KIND_NAMES: Readonly<Record<string, string>> = { l: 'L-shaped' };
 
+const ROOM_NAMES: Readonly<Record<string, string>> = { ell: 'L', tee: 'T', you: 'U', zed: 'Z' };
+
 /** The experiments beyond the six sets. */
 export function experimentSections(results: Experiments): Markup {
   return html`${narrowSection(results)}
@@ -34,16 +36,28 @@ ${content}
 }
 
 function gapSection({ doorGaps, recesses }: Experiments): Markup {
-  const gaps = html`<p>Gift opening takes a missing piece of wall for a concave opening (§5). Ours bridges such gaps and says so; the safeguard must not close real niches. Rooms of many shapes, gaps in every kind of place, opening lengths from 5 cm to 2 m and noise up to 20 mm; an error is what the outline misses beyond what it misses of the same scan without the gap.</p>
+  const { byWidth, byOpeningLength } = doorGaps;
+  const rooms = Object.keys(byOpeningLength[0].worst);
+  const gaps = html`<p>Gift opening takes a missing piece of wall for a concave opening (§5). Ours bridges such gaps and says so; the safeguard must not close real niches. Rooms of many shapes, gaps in every kind of place, opening lengths from 5 cm to 5 m and noise up to 20 mm.</p>
+<p>An opening length leaves edges up to itself closed, gap or none: at concave corners and across bays a long one adds to the room, and how much hangs on single points. The cost of a gap is what the outline misses beyond that and beyond the noise, which without a gap it misses too.</p>
 ${table(
-  'Error of the area of rooms with a gap in the wall, share of the true area',
+  'Cost of a gap in the wall, share of the true area',
   ['gap', 'worst', 'mean', 'worst without safeguard', 'mean without'],
-  doorGaps.map((row) => [
+  byWidth.map((row) => [
     metres(row.width),
     percent(row.worst),
     percent(row.mean),
     percent(row.worstWithout),
     percent(row.meanWithout),
+  ]),
+)}
+${table(
+  'Worst cost of a gap by the opening length and the room; last, the worst error of the rooms without a gap',
+  ['opening length', ...rooms.map((room) => ROOM_NAMES[room] ?? room), 'no gap'],
+  byOpeningLength.map(({ openingLength, worst, own }) => [
+    openingLength === 'auto' ? 'auto' : metres(openingLength),
+    ...rooms.map((room) => percent(worst[room])),
+    percent(own),
   ]),
 )}`;
   const niches = table(

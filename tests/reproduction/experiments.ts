@@ -10,14 +10,29 @@ export interface NarrowSpaces {
   readonly alphaShapeRegularised: number;
 }
 
-/** Wall rings with a door gap of one width, m: worst and mean error of the outline's area, a share of the true one. */
+/** Wall rings with a door gap: what it costs of the outline's area, a share of the true one. */
 export interface DoorGaps {
+  readonly byWidth: readonly GapsOfWidth[];
+  readonly byOpeningLength: readonly GapsAtOpeningLength[];
+}
+
+export interface GapsOfWidth {
+  /** m. */
   readonly width: number;
   readonly worst: number;
   readonly mean: number;
   /** The same with the safeguard switched off. */
   readonly worstWithout: number;
   readonly meanWithout: number;
+}
+
+export interface GapsAtOpeningLength {
+  /** m. */
+  readonly openingLength: number | 'auto';
+  /** By room. */
+  readonly worst: Readonly<Record<string, number>>;
+  /** Worst error of the area of the same rooms without a gap: noise, and what so long an edge leaves closed. */
+  readonly own: number;
 }
 
 /** Niches whose mouth is as wide and whose sides are scanned: IoU of the outline. */
@@ -44,7 +59,7 @@ export interface StructureCases {
 /** Experiments beyond the six sets. */
 export interface Experiments {
   readonly narrowSpaces: readonly NarrowSpaces[];
-  readonly doorGaps: readonly DoorGaps[];
+  readonly doorGaps: DoorGaps;
   readonly recesses: readonly Recesses[];
   readonly structureCases: StructureCases;
 }

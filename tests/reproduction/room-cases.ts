@@ -171,6 +171,37 @@ export function cornersAlong(path: Path): number[] {
   return at;
 }
 
+/** The place so many metres along a closed path, round and round. */
+export function pointAlong(path: Path, metres: number): readonly [x: number, y: number] {
+  const at = cornersAlong(path);
+  const total = at.at(-1)!;
+  const along = ((metres % total) + total) % total;
+  const k = at.findLastIndex((corner) => corner <= along);
+  const [[ax, ay], [bx, by]] = [path[k], path[(k + 1) % path.length]];
+  const share = (along - at[k]) / (at[k + 1] - at[k]);
+  return [ax + share * (bx - ax), ay + share * (by - ay)];
+}
+
+/**
+ * Most area, m², that edges of up to `length` leave closed at the concave corners of a counter-clockwise room, square
+ * ones: what gift opening may add to it, gap or none. A bay no wider is closed whole.
+ */
+export function closableArea(room: Path, length: number): number {
+  const n = room.length;
+  const side = (k: number) =>
+    Math.hypot(room[(k + 1) % n][0] - room[k % n][0], room[(k + 1) % n][1] - room[k % n][1]);
+  let area = 0;
+  for (let k = 0; k < n; k++) {
+    if (isConvexAt(room, k)) continue;
+    const [before, after] = [side(k + n - 1), side(k)];
+    const isBay = !isConvexAt(room, (k + 1) % n) && after <= length;
+    if (isBay) area += after * Math.min(before, side(k + 1));
+    const short = Math.min(before, after, length / Math.SQRT2);
+    area += (short * Math.min(Math.max(before, after), Math.sqrt(length ** 2 - short ** 2))) / 2;
+  }
+  return area;
+}
+
 /** Whether a counter-clockwise path turns left at its vertex k. */
 export function isConvexAt(path: Path, k: number): boolean {
   const n = path.length;

@@ -8,7 +8,10 @@ const STEEPEST_SLANT = 1;
 const LARGEST_SHARE = 0.5;
 /** A mouth no wider than a thick wall, m, … */
 const CAVITY_MOUTH = 0.5;
-/** … with a pocket deeper than this many mouths, leads into the hollow between a wall's two faces. */
+/**
+ * … with a pocket deeper than this many mouths, leads into the hollow between a wall's two faces. A shaft as narrow and
+ * deep looks the same from its points, and is closed too.
+ */
 export const CAVITY_DEPTHS = 4;
 
 /**

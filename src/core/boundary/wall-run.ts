@@ -3,7 +3,7 @@ import type { HullRing } from './hull-ring.ts';
 /** How far beside an edge its walls are looked at, m and vertices; the first one counts at any distance. */
 const FARTHEST = 0.5;
 const VERTICES = 8;
-/** Nearer vertices say nothing of a wall's direction, m. */
+/** Nearer vertices say nothing of a wall's direction, m, and are not counted. */
 const NEAREST = 0.06;
 
 /**
@@ -28,11 +28,12 @@ function runsOn(
   const uy = y[to] - y[from];
   const length = Math.sqrt(ux * ux + uy * uy);
   let distance = 0;
-  for (let q = step[to], k = 0; k < VERTICES && q !== from && distance <= FARTHEST; q = step[q], k++) {
+  for (let q = step[to], seen = 0; seen < VERTICES && q !== from && distance <= FARTHEST; q = step[q]) {
     const dx = x[q] - x[to];
     const dy = y[q] - y[to];
     distance = Math.sqrt(dx * dx + dy * dy);
     if (distance < NEAREST) continue;
+    seen++;
     if (dx * ux + dy * uy >= leastCosine * distance * length) return true;
   }
   return false;
