@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { FloorPlanError, type PlainError, toPlainError } from '../core/errors.ts';
 import type { Progress } from '../core/pipeline-run.ts';
 import { STAGES } from '../core/stages.ts';
-import { urlSource } from '../read/url-source.ts';
+import { urlSource } from '../read/bytes/url-source.ts';
 import { makeReport, type Report } from '../session/report.ts';
 import { baseName, Session } from '../session/session.ts';
 import { type Command, parseArguments } from './arguments.ts';

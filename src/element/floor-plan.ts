@@ -2,7 +2,7 @@ import { FloorPlanError } from '../core/errors.ts';
 import { parseParam, resolveOptions } from '../core/options.ts';
 import type { GivenValues, ParamName } from '../core/params.ts';
 import type { FloorPlan } from '../core/types.ts';
-import { nameOf } from '../read/url-source.ts';
+import { nameOf } from '../read/bytes/url-source.ts';
 import type { DisplayUnit } from '../view/measure.ts';
 import type { PictureOf } from '../worker/protocol.ts';
 import type { Spawn } from '../worker/spawn.ts';

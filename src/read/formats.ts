@@ -1,9 +1,9 @@
 import { FloorPlanError } from '../core/errors.ts';
+import type { ByteSource } from './bytes/source.ts';
 import type { OpenCloud, ReadFormat } from './cloud-reader.ts';
-import { CSV_FORMAT } from './csv.ts';
-import { PLY_FORMAT } from './ply.ts';
+import { PLY_FORMAT } from './ply/ply.ts';
 import { HEAD_BYTES, isText, recogniseForeign } from './signatures.ts';
-import type { ByteSource } from './source.ts';
+import { CSV_FORMAT } from './text/csv.ts';
 
 /**
  * What can be read: drives detection, file picker, command line and README. In order of detection: formats with a

@@ -11,8 +11,8 @@ import {
 } from '../core/pipeline-run.ts';
 import type { StageResults } from '../core/stage-results.ts';
 import type { StageName } from '../core/stages.ts';
+import type { ByteSource } from '../read/bytes/source.ts';
 import { readScan } from '../read/read-scan.ts';
-import type { ByteSource } from '../read/source.ts';
 import { makeSolid } from '../solid/make-solid.ts';
 import { writeFiles } from '../write/formats.ts';
 import { drawPicture, PICTURES, type PictureFacts, type PictureName } from '../write/pictures.ts';

@@ -2,9 +2,9 @@ import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { FloorPlanError } from '../../../src/core/errors.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
+import type { ByteSource } from '../../../src/read/bytes/source.ts';
 import { READ_FORMAT_NAMES, READ_FORMATS } from '../../../src/read/formats.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
-import type { ByteSource } from '../../../src/read/source.ts';
 import { bytesOf, memorySource } from '../../unit/read/memory-source.ts';
 import { plyBytes } from '../../unit/read/ply-bytes.ts';
 
@@ -83,7 +83,7 @@ it.each(READ_FORMAT_NAMES)('the %s reader alone throws nothing else', async (for
       READ_FORMATS[format].detect(bytes);
       await expectScanOrError(async () => {
         const cloud = await READ_FORMATS[format].open(memorySource(bytes, 'a', split));
-        for await (const { count } of cloud.chunks(() => {})) expect(count).toBeGreaterThan(0);
+        for await (const { count } of cloud.chunks(() => {}, 0)) expect(count).toBeGreaterThan(0);
       });
     }),
     { numRuns: 1_000 },

@@ -1,6 +1,6 @@
+import type { ByteSource } from '../../../src/read/bytes/source.ts';
 import type { PointChunk } from '../../../src/read/cloud-reader.ts';
 import { openCloud } from '../../../src/read/formats.ts';
-import type { ByteSource } from '../../../src/read/source.ts';
 
 export const bytesOf = (text: string) => new TextEncoder().encode(text);
 
@@ -42,7 +42,7 @@ export async function readAll(source: ByteSource): Promise<AllPoints> {
   const intensity: number[] = [];
   const classification: number[] = [];
   let last: PointChunk | undefined;
-  for await (const chunk of cloud.chunks(() => {})) {
+  for await (const chunk of cloud.chunks(() => {}, 0)) {
     last = chunk;
     for (let i = 0; i < chunk.count; i++) {
       xyz.push([...chunk.xyz.subarray(3 * i, 3 * i + 3)]);
