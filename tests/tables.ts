@@ -3,7 +3,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { valueWords } from '../src/cli/help.ts';
 import { kebabCase, PARAM_NAMES, PARAMS, type ParamRow } from '../src/core/params.ts';
 import { STAGES } from '../src/core/stages.ts';
-import { READ_FORMATS } from '../src/read/formats.ts';
+import { ARCHIVES, READ_FORMATS } from '../src/read/formats.ts';
 import { WRITE_FORMATS } from '../src/write/formats.ts';
 
 export const readmePath = new URL('../README.md', import.meta.url);
@@ -12,7 +12,11 @@ const tables: Record<string, () => string> = {
   'read formats': () =>
     table(
       ['format', 'extensions', 'what is read'],
-      Object.values(READ_FORMATS).map(({ label, extensions, doc }) => [label, code(extensions), doc]),
+      Object.values({ ...READ_FORMATS, ...ARCHIVES }).map(({ label, extensions, doc }) => [
+        label,
+        code(extensions),
+        doc,
+      ]),
     ),
   'write formats': () =>
     table(

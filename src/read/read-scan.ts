@@ -5,9 +5,10 @@ import type { Options } from '../core/params.ts';
 import type { Scan } from '../core/types.ts';
 import type { ByteSource } from './bytes/source.ts';
 import type { OpenCloud, PointChunk } from './cloud-reader.ts';
-import { openCloud } from './formats.ts';
 import { makeScan } from './make-scan.ts';
+import { openScan } from './open-scan.ts';
 import { Preview } from './preview.ts';
+import { scanName } from './scan-name.ts';
 import { CELLS_TOLD_APART } from './thin/cell-hash.ts';
 import { diagonalOf, FARTHEST, powerOfTwoBelow, Thinning } from './thin/thinning.ts';
 
@@ -32,7 +33,8 @@ export interface ReadControl {
 const CHECKED_POINTS = 1 << 16;
 
 /**
- * Reads a point cloud and thins it to the working resolution.
+ * Reads a point cloud and thins it to the working resolution; several sources, and the files of an archive, are parts of
+ * one scan.
  *
  * Cells are the largest power of two, in source units, that is not above `resolution`; coarser where more than
  * `pointBudget` points would be kept. The unit is judged on the first chunk, to start with the right cell, and again at
@@ -43,15 +45,25 @@ const CHECKED_POINTS = 1 << 16;
  * @throws input/…, environment/network, environment/memory, cancelled
  */
 export async function readScan(
-  source: ByteSource,
+  source: ByteSource | readonly ByteSource[],
   options: ReadOptions,
   control: ReadControl = {},
 ): Promise<Scan> {
-  const { format, cloud } = await openCloud(source);
-  const run: ReadRun = { source, cloud, options, control, bytesBefore: 0, bytesRead: 0, target: 0 };
+  const sources = 'name' in source ? [source] : source;
+  const { format, cloud } = await openScan(sources);
+  const run: ReadRun = {
+    name: scanName(sources),
+    sources,
+    cloud,
+    options,
+    control,
+    bytesBefore: 0,
+    bytesRead: 0,
+    target: 0,
+  };
   const known = cloud.isAdaptive ? statedCell(run) : undefined;
   let thinning = await readOnce(run, known);
-  assertPoints(source.name, thinning);
+  assertPoints(run.name, thinning);
   if (!cloud.isSlice) {
     run.target = targetCell(run, thinning);
     const isRough = cloud.isAdaptive && known === undefined;
@@ -63,14 +75,15 @@ export async function readScan(
     }
   }
   thinning.close();
-  const bytes = source.size ?? run.bytesRead;
-  const scan = makeScan(thinning, { name: source.name, format, bytes, cloud, target: run.target });
+  const bytes = sizeOfAll(sources) ?? run.bytesRead;
+  const scan = makeScan(thinning, { name: run.name, format, bytes, cloud, target: run.target });
   if (thinning.count <= CHECKED_POINTS) checkSpread(scan.positions);
   return scan;
 }
 
 interface ReadRun {
-  readonly source: ByteSource;
+  readonly name: string;
+  readonly sources: readonly ByteSource[];
   readonly cloud: OpenCloud;
   readonly options: ReadOptions;
   readonly control: ReadControl;
@@ -96,18 +109,28 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
     preview?.add(chunk);
   }
   preview?.flush();
-  if (!thinning) throw noPoints(run.source.name);
+  if (!thinning) throw noPoints(run.name);
   report(run, thinning.read);
   return thinning;
 }
 
-function report({ source, control, bytesBefore, bytesRead }: ReadRun, points: number): void {
+function report({ sources, control, bytesBefore, bytesRead }: ReadRun, points: number): void {
+  const size = sizeOfAll(sources);
   if (control.signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
   control.onProgress?.({
     bytesRead: bytesBefore + bytesRead,
-    ...(source.size !== undefined && { totalBytes: source.size * (bytesBefore > 0 ? 2 : 1) }),
+    ...(size !== undefined && { totalBytes: size * (bytesBefore > 0 ? 2 : 1) }),
     points,
   });
+}
+
+function sizeOfAll(sources: readonly ByteSource[]): number | undefined {
+  let sum = 0;
+  for (const { size } of sources) {
+    if (size === undefined) return undefined;
+    sum += size;
+  }
+  return sum;
 }
 
 /** A guess that only speed depends on: the cell that the unit of the first points asks for. */

@@ -120,9 +120,10 @@ class Desk {
       await this.#session.update(request.options, control);
       return;
     }
-    const { source, name, options } = request;
-    const bytes = typeof source === 'string' ? urlSource(source) : blobSource(source, name);
-    await this.#session.load(bytes, options, control);
+    const sources = request.files.map(({ data, name }) =>
+      typeof data === 'string' ? urlSource(data) : blobSource(data, name),
+    );
+    await this.#session.load(sources, request.options, control);
   }
 
   async #compare({ id, options, labels }: Compare, signal: AbortSignal): Promise<void> {

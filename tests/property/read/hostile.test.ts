@@ -1,4 +1,5 @@
 import fc from 'fast-check';
+import { gzipSync, zipSync } from 'fflate';
 import { expect, it } from 'vitest';
 import { FloorPlanError } from '../../../src/core/errors.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
@@ -24,6 +25,8 @@ const GOOD = [
   plyBytes([{ ...vertex, name: 'face' }, vertex], { format: 'binary_big_endian' }),
   bytesOf(`x,y,z,r,g,b\n${records.map(([x, , y, z]) => [x, y, z, 1, 2, 3].join()).join('\n')}`),
   bytesOf(records.map(([x, , y]) => `${x},5 ${y},25\r`).join('')),
+  gzipSync(bytesOf('x,y,z\n1,2,3\n4,5,6\n7,8,10\n')),
+  zipSync({ 'a.xyz': bytesOf('1 2 3\n4 5 6\n'), b: [bytesOf('7,8,10\n9,9,9\n'), { level: 0 }] }),
 ];
 
 const spoilt = fc

@@ -1,6 +1,6 @@
 import type { ByteSource } from '../../../src/read/bytes/source.ts';
 import type { PointChunk } from '../../../src/read/cloud-reader.ts';
-import { openCloud } from '../../../src/read/formats.ts';
+import { openScan } from '../../../src/read/open-scan.ts';
 
 export const bytesOf = (text: string) => new TextEncoder().encode(text);
 
@@ -36,7 +36,7 @@ export interface AllPoints {
 
 /** Everything a reader finds, as plain arrays. */
 export async function readAll(source: ByteSource): Promise<AllPoints> {
-  const { cloud } = await openCloud(source);
+  const { cloud } = await openScan([source]);
   const xyz: number[][] = [];
   const colour: number[][] = [];
   const intensity: number[] = [];
