@@ -22,10 +22,10 @@ export type { PipelineHooks, Progress, StageReport } from './core/pipeline-run.t
 export type { StageResults } from './core/stage-results.ts';
 export { STAGE_NAMES, STAGES, type StageName } from './core/stages.ts';
 export type * from './core/types.ts';
-export { blobSource } from './read/blob-source.ts';
+export { blobSource } from './read/bytes/blob-source.ts';
+export type { ByteSource } from './read/bytes/source.ts';
+export { urlSource } from './read/bytes/url-source.ts';
 export { READ_FORMATS } from './read/formats.ts';
-export type { ByteSource } from './read/source.ts';
-export { urlSource } from './read/url-source.ts';
 export { makeReport, type Report } from './session/report.ts';
 export type { RunResult } from './session/result.ts';
 export { Session, type SessionControl } from './session/session.ts';

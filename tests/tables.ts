@@ -4,7 +4,7 @@ import { valueWords } from '../src/cli/help.ts';
 import type { ParamRow } from '../src/core/param-rows.ts';
 import { kebabCase, PARAM_NAMES, PARAMS } from '../src/core/params.ts';
 import { STAGES } from '../src/core/stages.ts';
-import { READ_FORMATS } from '../src/read/formats.ts';
+import { ARCHIVES, READ_FORMATS } from '../src/read/formats.ts';
 import { WRITE_FORMATS } from '../src/write/formats.ts';
 import { readText } from './reproduction/folder.ts';
 import { OUTLINE_METHODS } from './reproduction/outlines.ts';
@@ -17,7 +17,11 @@ const tables: Record<string, () => string> = {
   'read formats': () =>
     table(
       ['format', 'extensions', 'what is read'],
-      Object.values(READ_FORMATS).map(({ label, extensions, doc }) => [label, code(extensions), doc]),
+      Object.values({ ...READ_FORMATS, ...ARCHIVES }).map(({ label, extensions, doc }) => [
+        label,
+        code(extensions),
+        doc,
+      ]),
     ),
   'write formats': () =>
     table(

@@ -8,6 +8,8 @@ import type { WriteFormat } from '../write/plan-writer.ts';
 export interface Command {
   readonly inputs: readonly string[];
   readonly folder: string;
+  /** The inputs are parts of one scan. */
+  readonly isMerge: boolean;
   readonly formats: readonly string[];
   readonly options: GivenValues;
   /** Errors as JSON. */
@@ -28,6 +30,7 @@ export function parseArguments(words: readonly string[]): Command {
   let folder = '';
   let formats: readonly string[] = WRITE_FORMAT_NAMES.filter((name) => !isOnRequest(name));
   let isJson = false;
+  let isMerge = false;
   let task: Command['task'] = 'run';
 
   const queue = [...words];
@@ -44,13 +47,14 @@ export function parseArguments(words: readonly string[]): Command {
     } else if (flag === '-o' || flag === '--out') folder = value();
     else if (flag === '--formats') formats = parseFormats(value());
     else if (flag === '--json') isJson = true;
+    else if (flag === '--merge') isMerge = true;
     else if (flag === '-h' || flag === '--help') task = 'help';
     else if (flag === '--version') task = 'version';
     else if (word.startsWith('-') && word !== '-') unknownFlag(flag);
     else inputs.push(word);
   }
   if (task === 'run') checkComplete(inputs, folder);
-  return { inputs, folder, formats, options, isJson, task };
+  return { inputs, folder, formats, options, isJson, isMerge, task };
 }
 
 function splitFlag(word: string): [flag: string, inline: string | undefined] {

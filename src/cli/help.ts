@@ -13,10 +13,11 @@ export function helpText(): string {
     const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage);
     return names.length === 0 ? [] : [`\n  ${STAGES[stage].label}`, ...names.map(paramLine)];
   });
-  return `grundriss INPUT… -o DIR [--formats a,b,…] [--json] [--PARAMETER value]…
+  return `grundriss INPUT… -o DIR [--merge] [--formats a,b,…] [--json] [--PARAMETER value]…
 
 Turns indoor point clouds into floor plans. Reads ${reads.join(', ')}.
-One input writes its files into DIR, several into DIR/<input name>/.
+Each may be gzipped, or be in a ZIP. One input writes its files into DIR, several into DIR/<input name>/;
+with --merge they are parts of one scan.
 The last line of standard output is the report as JSON.
 
 Formats (all but those on request, unless --formats names some; report.json always):

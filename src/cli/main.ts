@@ -3,7 +3,8 @@ import { join } from 'node:path';
 import { FloorPlanError, type PlainError, toPlainError } from '../core/errors.ts';
 import type { Progress } from '../core/pipeline-run.ts';
 import { STAGES } from '../core/stages.ts';
-import { urlSource } from '../read/url-source.ts';
+import type { ByteSource } from '../read/bytes/source.ts';
+import { urlSource } from '../read/bytes/url-source.ts';
 import { makeReport, type Report } from '../session/report.ts';
 import { baseName, Session } from '../session/session.ts';
 import { writePictures } from '../write/pictures.ts';
@@ -39,15 +40,16 @@ async function main(words: readonly string[]): Promise<number> {
 
 async function runAll(command: Command, signal: AbortSignal): Promise<void> {
   const folders = outputFolders(command);
-  for (const [i, input] of command.inputs.entries()) {
-    const report = await runOne(input, folders[i], command, signal);
+  const scans = command.isMerge ? [command.inputs] : command.inputs.map((input) => [input]);
+  for (const [i, inputs] of scans.entries()) {
+    const report = await runOne(inputs, folders[i], command, signal);
     process.stdout.write(`${JSON.stringify(report)}\n`);
   }
 }
 
-/** One input writes into the folder itself, several into a folder each; equal names are numbered. */
-function outputFolders({ inputs, folder }: Command): readonly string[] {
-  if (inputs.length === 1) return [folder];
+/** One scan writes into the folder itself, several into a folder each; equal names are numbered. */
+function outputFolders({ inputs, folder, isMerge }: Command): readonly string[] {
+  if (inputs.length === 1 || isMerge) return [folder];
   const taken = new Set<string>();
   return inputs.map((input) => {
     const name = baseName(fileName(input));
@@ -58,13 +60,19 @@ function outputFolders({ inputs, folder }: Command): readonly string[] {
   });
 }
 
-async function runOne(input: string, folder: string, command: Command, signal: AbortSignal): Promise<Report> {
+async function runOne(
+  inputs: readonly string[],
+  folder: string,
+  command: Command,
+  signal: AbortSignal,
+): Promise<Report> {
   const session = new Session({ strokeTest: createStrokeTest(), breathe });
-  const bar = progressBar(fileName(input));
+  const bar = progressBar(inputs.map(fileName).join(' + '));
   const start = performance.now();
-  const source = /^https?:/.test(input) ? urlSource(input, signal) : await nodeSource(input, signal);
+  const sources: ByteSource[] = [];
+  for (const input of inputs) sources.push(await openInput(input, signal));
   try {
-    const result = await session.load(source, command.options, { signal, onProgress: bar.show });
+    const result = await session.load(sources, command.options, { signal, onProgress: bar.show });
     const files = command.formats.flatMap((format) => session.write(format));
     const memory = process.resourceUsage().maxRSS / 1024;
     const report = makeReport(result, performance.now() - start, memory);
@@ -84,6 +92,11 @@ async function runOne(input: string, folder: string, command: Command, signal: A
 async function writeEvidence({ evidence }: Session, folder: string): Promise<void> {
   const pictures = writePictures(evidence);
   if (pictures.length > 0) await writeFolder(folder, pictures).catch(() => {});
+}
+
+/** A path or an address. */
+async function openInput(input: string, signal: AbortSignal): Promise<ByteSource> {
+  return /^https?:/.test(input) ? urlSource(input, signal) : nodeSource(input, signal);
 }
 
 /** A line on a terminal that tells stage and share; nothing elsewhere. */

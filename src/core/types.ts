@@ -53,6 +53,8 @@ export interface Scan {
   readonly attributes: PointAttributes;
   /** Edge of the thinning cell in source units; 0 where every point was kept. */
   readonly cellSize: number;
+  /** Where each scanner stood, source axes, units and coordinates; empty where the file does not tell. */
+  readonly stations: readonly Vec3[];
   /** Two columns: a ready slice, already in the plan frame; z is 0. */
   readonly isSlice: boolean;
   /** The unit the file states, if it states one. */

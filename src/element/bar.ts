@@ -1,5 +1,6 @@
 import { formatCount } from '../view/measure.ts';
 import type { Layout } from './contract.ts';
+import { makeFileChoice } from './file-choice.ts';
 import { OPENED } from './formats.ts';
 import { icon } from './icon.ts';
 import { make, setText } from './make.ts';
@@ -11,6 +12,7 @@ const LAYOUT_LABELS: Readonly<Record<Layout, string>> = { '2d': 'Plan', split: '
 /** The bar along the top: opening, the facts of the scan, which views are shown and in which unit. */
 export function makeBar(actions: Actions): Panel {
   const facts = make('p', { class: 'facts' });
+  const choice = makeFileChoice(actions);
   const layout = makeSwitch('View', LAYOUT_LABELS, (choice) => actions.setLayout(choice));
   const unit = makeSwitch('Unit', { m: 'm', ft: 'ft' }, (choice) => actions.setUnit(choice));
   layout.node.classList.add('layouts');
@@ -21,6 +23,7 @@ export function makeBar(actions: Actions): Panel {
     make('slot', { name: 'bar-start' }),
     makeOpenButton(actions),
     make('slot', { name: 'bar-middle' }),
+    choice.node,
     facts,
     layout.node,
     unit.node,
@@ -29,6 +32,7 @@ export function makeBar(actions: Actions): Panel {
   return {
     node,
     show(model) {
+      choice.show(model);
       setText(facts, factsOf(model));
       layout.set(model.layout);
       unit.set(model.unit);
@@ -42,11 +46,11 @@ export function makeOpenButton(actions: Actions, testid = 'file-input'): HTMLLab
     type: 'file',
     class: 'visually-hidden',
     testid,
+    multiple: true,
     accept: OPENED.flatMap(({ extensions }) => extensions).join(','),
     on: {
       change: () => {
-        const [file] = input.files ?? [];
-        if (file) actions.open(file);
+        if (input.files?.length) actions.open([...input.files]);
         // The same file may be picked again.
         input.value = '';
       },

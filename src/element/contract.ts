@@ -23,7 +23,7 @@ export const PROPERTIES = {
 } as const;
 
 export const METHODS = {
-  load: 'load(source: File | Blob | URL | string): Promise<FloorPlan>. Rejects with a FloorPlanError.',
+  load: 'load(source: File | Blob | URL | string, or an array of them: parts of one scan): Promise<FloorPlan>. Rejects with a FloorPlanError.',
   cancel: 'cancel(): stops the run; the last plan stays.',
   export: 'export(format): Promise<Blob>. Several files (one a storey) come as a ZIP.',
   fit: 'fit(): shows everything in both views.',

@@ -1,7 +1,7 @@
 import { make, setText } from './make.ts';
 
 /** Files dropped on `host` are opened; while they hover an overlay says what will happen. */
-export function makeDropTarget(host: HTMLElement, onDrop: (file: File) => void): HTMLElement {
+export function makeDropTarget(host: HTMLElement, onDrop: (files: readonly File[]) => void): HTMLElement {
   const words = make('p', {});
   const overlay = make('div', { class: 'drop-overlay', hidden: true, 'aria-hidden': 'true' }, words);
   // Entering a child fires before leaving its parent, so both are counted.
@@ -16,7 +16,7 @@ export function makeDropTarget(host: HTMLElement, onDrop: (file: File) => void):
     const count = [...dataTransfer.items].filter(({ kind }) => kind === 'file').length;
     setText(
       words,
-      count > 1 ? 'Release to read the first of these files' : 'Release to make a plan of this scan',
+      count > 1 ? `Release to read these ${count} files as one scan` : 'Release to make a plan of this scan',
     );
     overlay.hidden = false;
   });
@@ -30,11 +30,11 @@ export function makeDropTarget(host: HTMLElement, onDrop: (file: File) => void):
     if (depth <= 0) leave();
   });
   host.addEventListener('drop', (event) => {
-    const [file] = event.dataTransfer?.files ?? [];
+    const files = [...(event.dataTransfer?.files ?? [])];
     leave();
-    if (!file) return;
+    if (files.length === 0) return;
     event.preventDefault();
-    onDrop(file);
+    onDrop(files);
   });
   return overlay;
 }

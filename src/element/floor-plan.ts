@@ -2,15 +2,16 @@ import { FloorPlanError } from '../core/errors.ts';
 import { parseParam, resolveOptions } from '../core/options.ts';
 import type { GivenValues, ParamName } from '../core/params.ts';
 import type { FloorPlan } from '../core/types.ts';
-import { nameOf } from '../read/url-source.ts';
+import { nameOf } from '../read/bytes/url-source.ts';
 import type { DisplayUnit } from '../view/measure.ts';
-import type { PictureOf } from '../worker/protocol.ts';
+import type { PictureOf, ScanFile } from '../worker/protocol.ts';
 import type { Spawn } from '../worker/spawn.ts';
 import { ATTRIBUTES, LAYOUTS, type Layout, PARAM_ATTRIBUTES, type PlanState } from './contract.ts';
 import { bundleFiles, saveFile } from './files.ts';
 import { GivenOptions } from './given-options.ts';
 import type { Actions, Model, Stretch } from './model.ts';
-import { PlanMaker, type Source } from './plan-maker.ts';
+import { OpenedFiles } from './opened-files.ts';
+import { PlanMaker } from './plan-maker.ts';
 import { Shell } from './shell.ts';
 import { StepChoice } from './step-choice.ts';
 import { adoptStyles } from './styles.ts';
@@ -23,6 +24,9 @@ const STEP_KEYS: Readonly<Record<string, 1 | -1>> = { '[': -1, ']': 1 };
 
 /** The key that takes up the tool for doors, or puts it down. */
 const DOOR_KEY = 'd';
+
+/** A File, a Blob, or an address, absolute or relative to the page. */
+export type ScanSource = Blob | URL | string;
 
 /** A moved slider makes the plan again when it has rested this long, ms. */
 const REST = 140;
@@ -48,6 +52,7 @@ export class FloorPlanElement extends Base {
   #shell: Shell | null = null;
   #spawnWorker: Spawn | null = null;
   #storey = 0;
+  readonly #files = new OpenedFiles();
   #isCutting = false;
   #marked: Stretch | null = null;
   #rest = 0;
@@ -79,9 +84,9 @@ export class FloorPlanElement extends Base {
     this.#invalidate();
   }
 
-  /** The scan being read, else the one shown, where it is a file. Setting it loads it. */
+  /** The scan being read, else the one shown, where it is a file; of several the first. Setting it loads it. */
   get file(): Blob | null {
-    const data = this.#maker.scan?.data;
+    const data = this.#maker.scan?.[0].data;
     return data instanceof Blob ? data : null;
   }
 
@@ -130,10 +135,15 @@ export class FloorPlanElement extends Base {
     return this.#maker.error;
   }
 
-  /** Reads a scan and shows its plan; the plan before stays until then. @throws FloorPlanError, `cancelled` among them */
-  async load(source: Blob | URL | string): Promise<FloorPlan> {
+  /**
+   * Reads a scan and shows its plan; the plan before stays until then. Several sources are parts of one scan; in the bar
+   * a person can pick one alone. @throws FloorPlanError, `cancelled` among them
+   */
+  async load(source: ScanSource | readonly ScanSource[]): Promise<FloorPlan> {
     clearTimeout(this.#rest);
-    return this.#maker.load(this.#sourceOf(source), this.#given.now);
+    const sources = Array.isArray(source) ? (source as readonly ScanSource[]) : [source as ScanSource];
+    this.#files.take(this.#filesOf(sources));
+    return this.#maker.load(this.#files.chosen, this.#given.now);
   }
 
   /** Stops the run; the last plan stays. */
@@ -162,7 +172,11 @@ export class FloorPlanElement extends Base {
 
   #actions(): Actions {
     return {
-      open: (file) => void this.load(file).catch(ignore),
+      open: (files) => void this.load(files).catch(ignore),
+      pickFile: (index) => {
+        this.#files.pick(index);
+        this.#maker.load(this.#files.chosen, this.#given.now).catch(ignore);
+      },
       cancel: () => this.cancel(),
       change: (change, isFinal) => {
         this.#given.change(change, isFinal);
@@ -275,9 +289,9 @@ export class FloorPlanElement extends Base {
   }
 
   /** A wrong address never gets to a run, so it is told of here. */
-  #sourceOf(given: Blob | URL | string): Source {
+  #filesOf(given: readonly ScanSource[]): readonly ScanFile[] {
     try {
-      return sourceOf(given);
+      return given.map(fileOf);
     } catch (error) {
       this.#maker.complain(error as Error);
       throw error;
@@ -323,6 +337,7 @@ export class FloorPlanElement extends Base {
       unit,
       layout: LAYOUTS.includes(layout) ? layout : 'split',
       storey: this.#storey,
+      files: this.#files.shown,
       steps: {
         of: this.#steps.isOfFailed ? 'failed' : 'plan',
         pictures: this.#steps.pictures,
@@ -361,7 +376,7 @@ export class FloorPlanElement extends Base {
   }
 }
 
-function sourceOf(source: Blob | URL | string): Source {
+function fileOf(source: ScanSource): ScanFile {
   if (source instanceof File) return { data: source, name: source.name };
   if (source instanceof Blob) return { data: source, name: 'scan' };
   if (URL.canParse(source, document.baseURI)) {

@@ -1,4 +1,4 @@
-import { READ_FORMATS } from '../read/formats.ts';
+import { ARCHIVES, READ_FORMATS } from '../read/formats.ts';
 import { WRITE_FORMATS } from '../write/formats.ts';
 
 /** A row of a table of formats, as a page shows it. */
@@ -12,7 +12,7 @@ export interface FormatRow {
 }
 
 /** What can be opened. */
-export const OPENED: readonly FormatRow[] = Object.entries(READ_FORMATS).map(
+export const OPENED: readonly FormatRow[] = Object.entries({ ...READ_FORMATS, ...ARCHIVES }).map(
   ([name, { label, doc, extensions }]) => ({
     name,
     label,

@@ -38,6 +38,7 @@ export interface Model {
   readonly unit: DisplayUnit;
   readonly layout: Layout;
   readonly storey: number;
+  readonly files: FilesShown;
   readonly steps: StepsShown;
   /** The pointer cuts doors in the drawing. */
   readonly isCutting: boolean;
@@ -47,6 +48,13 @@ export interface Model {
 
 /** From and to, plan metres. */
 export type Stretch = Pick<Gap, 'from' | 'to'>;
+
+/** Files opened together. */
+export interface FilesShown {
+  readonly names: readonly string[];
+  /** Index of the one that is the scan; null where all of them are. */
+  readonly picked: number | null;
+}
 
 /** The pictures of the steps, and the one in place of the drawing. */
 export interface StepsShown {
@@ -58,7 +66,10 @@ export interface StepsShown {
 
 /** What a person can do. */
 export interface Actions {
-  open(file: File): void;
+  /** Opens files, several as one scan. */
+  open(files: readonly File[]): void;
+  /** One of the files opened together, or all as one scan. */
+  pickFile(index: number | null): void;
   cancel(): void;
   /** @param isFinal false while a slider is on its way */
   change(change: GivenValues, isFinal: boolean): void;

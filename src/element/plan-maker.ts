@@ -2,6 +2,7 @@ import { FloorPlanError } from '../core/errors.ts';
 import type { GivenValues } from '../core/params.ts';
 import type { Progress } from '../core/pipeline-run.ts';
 import type { FloorPlan, Warning } from '../core/types.ts';
+import { scanName } from '../read/scan-name.ts';
 import { PlanClient } from '../worker/client.ts';
 import type {
   Comparison,
@@ -10,14 +11,10 @@ import type {
   ExportedFile,
   PictureAsked,
   PlanView,
+  ScanFile,
 } from '../worker/protocol.ts';
 import type { Spawn } from '../worker/spawn.ts';
 import type { FloorPlanEventMap, PlanState } from './contract.ts';
-
-export interface Source {
-  readonly data: Blob | string;
-  readonly name: string;
-}
 
 /** A run that failed after some stages, and what they made. */
 export interface FailedRun extends Evidence {
@@ -44,9 +41,9 @@ export class PlanMaker {
   readonly #events: MakerEvents;
   readonly #client: PlanClient;
   /** The scan shown. */
-  #source: Source | null = null;
+  #source: readonly ScanFile[] | null = null;
   /** The scan being read. */
-  #next: Source | null = null;
+  #next: readonly ScanFile[] | null = null;
   #view: PlanView | null = null;
   #error: Error | null = null;
   #failed: FailedRun | null = null;
@@ -102,7 +99,7 @@ export class PlanMaker {
   }
 
   /** The scan being read, else the one shown. */
-  get scan(): Source | null {
+  get scan(): readonly ScanFile[] | null {
     return this.#next ?? this.#source;
   }
 
@@ -118,18 +115,18 @@ export class PlanMaker {
       error: this.#error,
       failed: this.#failed,
       notices: this.#notices,
-      name: this.scan?.name ?? '',
+      name: this.scan ? scanName(this.scan) : '',
       progress: this.#progress,
       pointsSeen: this.#pointsSeen,
       startedAt: this.#startedAt,
     };
   }
 
-  /** Reads a scan and makes its plan. @throws FloorPlanError, `cancelled` among them */
-  async load(source: Source, options: GivenValues): Promise<FloorPlan> {
-    this.#next = source;
+  /** Reads the files of a scan and makes its plan. @throws FloorPlanError, `cancelled` among them */
+  async load(files: readonly ScanFile[], options: GivenValues): Promise<FloorPlan> {
+    this.#next = files;
     this.#pointsSeen = 0;
-    const { plan } = await this.#run(() => this.#client.load(source.data, source.name, options));
+    const { plan } = await this.#run(() => this.#client.load(files, options));
     this.#events.emit('load', plan);
     return plan;
   }

@@ -31,7 +31,7 @@ export class Shell {
     const panes = make('div', { class: 'panes' }, this.#sheet.node, divider, this.#scene.node);
     const views = make('div', { class: 'views' }, panes, empty.node, error.node);
     this.node = make('div', { class: 'frame' }, bar.node, rail.node, views);
-    this.node.append(makeDropTarget(host, (file) => actions.open(file)));
+    this.node.append(makeDropTarget(host, (files) => actions.open(files)));
     this.#panels = [bar, rail, error, empty];
     // A pane that comes into sight shows what it missed, and a narrow element one view at a time.
     this.#sizes = new ResizeObserver(() => this.#model && this.show(this.#model));

@@ -1,5 +1,5 @@
-import type { Unit, Warning } from '../core/types.ts';
-import type { ByteSource } from './source.ts';
+import type { Unit, Vec3, Warning } from '../core/types.ts';
+import type { ByteSource } from './bytes/source.ts';
 
 /** Some tens of thousands of points on their way from a reader to the thinning. The arrays may be used again. */
 export interface PointChunk {
@@ -20,8 +20,18 @@ export interface OpenCloud {
   readonly crs?: string;
   /** Points the header announces; undefined where it does not. */
   readonly pointsAnnounced?: number;
-  /** Points in file order, NaN and infinite ones included. @throws FloorPlanError input/… */
-  chunks(progress: ReadProgress): AsyncIterable<PointChunk>;
+  /** What the chunks hold depends on the spacing asked for: surfaces that are sampled, an octree. */
+  readonly isAdaptive?: boolean;
+  /** Where each scanner stood, source units and coordinates, by `station`; filled while reading. */
+  readonly stations?: readonly Vec3[];
+  /**
+   * Points in file order, NaN and infinite ones included. May be called again to read once more.
+   *
+   * @param spacing two points closer than this may be told as one, source units; 0 where the unit is not known yet: an
+   * adaptive cloud then yields a rough whole of some hundred thousand points, to judge its unit from
+   * @throws FloorPlanError input/…
+   */
+  chunks(progress: ReadProgress, spacing: number): AsyncIterable<PointChunk>;
   /** Filled while reading. */
   readonly warnings: Warning[];
 }

@@ -1,9 +1,8 @@
 import { FloorPlanError } from '../core/errors.ts';
-import type { OpenCloud, ReadFormat } from './cloud-reader.ts';
-import { CSV_FORMAT } from './csv.ts';
-import { PLY_FORMAT } from './ply.ts';
-import { HEAD_BYTES, isText, recogniseForeign } from './signatures.ts';
-import type { ByteSource } from './source.ts';
+import type { ReadFormat } from './cloud-reader.ts';
+import { PLY_FORMAT } from './ply/ply.ts';
+import { isText, recogniseForeign } from './signatures.ts';
+import { CSV_FORMAT } from './text/csv.ts';
 
 /**
  * What can be read: drives detection, file picker, command line and README. In order of detection: formats with a
@@ -14,32 +13,23 @@ export const READ_FORMATS = {
   csv: CSV_FORMAT,
 } as const satisfies Record<string, ReadFormat>;
 
+/** What may be around them. */
+export const ARCHIVES = {
+  gzip: { label: 'gzip', extensions: ['gz'], doc: 'Any of these, packed.' },
+  zip: {
+    label: 'ZIP',
+    extensions: ['zip'],
+    doc: 'Any of these, packed or stored; several clouds in it are parts of one scan.',
+  },
+} as const satisfies Record<string, Pick<ReadFormat, 'label' | 'extensions' | 'doc'>>;
+
 export type ReadFormatName = keyof typeof READ_FORMATS;
 
 export const READ_FORMAT_NAMES = Object.keys(READ_FORMATS) as readonly ReadFormatName[];
 
-export interface DetectedCloud {
-  readonly format: ReadFormatName;
-  readonly cloud: OpenCloud;
-}
-
-/**
- * Finds the format of a source, by content first and by extension second, and reads its header.
+/** The format of a source, by content first and by extension second.
  *
- * @throws input/empty, input/unknown-format, and what the reader throws
- */
-export async function openCloud(source: ByteSource): Promise<DetectedCloud> {
-  const head = await source.slice(0, HEAD_BYTES);
-  if (head.length === 0) {
-    throw new FloorPlanError('input/empty', `${source.name}: expected a point cloud, found an empty file`, {
-      hint: 'Export or copy the cloud again.',
-    });
-  }
-  const format = detectFormat(head, source.name);
-  return { format, cloud: await READ_FORMATS[format].open(source) };
-}
-
-/** @param head the first bytes, up to 64 KiB @throws input/unknown-format */
+ *@param head the first bytes, up to 64 KiB @throws input/unknown-format */
 export function detectFormat(head: Uint8Array, name: string): ReadFormatName {
   const byContent = READ_FORMAT_NAMES.find((format) => READ_FORMATS[format].detect(head));
   if (byContent) return byContent;

@@ -1,8 +1,8 @@
 import { countOf } from '../core/count-words.ts';
 import type { Scan, Vec3, Warning } from '../core/types.ts';
-import { orderByCell } from './cell-order.ts';
 import type { OpenCloud } from './cloud-reader.ts';
-import { diagonalOf, FARTHEST, powerOfTwoBelow, type Thinning } from './thinning.ts';
+import { orderByCell } from './thin/cell-order.ts';
+import { diagonalOf, FARTHEST, powerOfTwoBelow, type Thinning } from './thin/thinning.ts';
 
 /** Cell that orders a slice, which has none, as a share of its extent. */
 const ORDER_SHARE = 2 ** -15;
@@ -41,6 +41,7 @@ export function makeScan(thinning: Thinning, { name, format, bytes, cloud, targe
     isSlice: cloud.isSlice,
     ...(cloud.unit && { unit: cloud.unit }),
     ...(cloud.crs && { crs: cloud.crs }),
+    stations: cloud.stations ?? [],
     warnings: [...cloud.warnings, ...warningsOf(thinning, target), ...coarseFloats(thinning, origin, target)],
   };
 }

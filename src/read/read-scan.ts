@@ -1,16 +1,17 @@
 import { countOf } from '../core/count-words.ts';
 import { FloorPlanError } from '../core/errors.ts';
 import { checkSpread } from '../core/frame/check-spread.ts';
-import { judgeUnit } from '../core/frame/judge-unit.ts';
+import { judgeUnit, statedUnit } from '../core/frame/judge-unit.ts';
 import type { Options } from '../core/params.ts';
 import type { Scan } from '../core/types.ts';
-import { CELLS_TOLD_APART } from './cell-hash.ts';
+import type { ByteSource } from './bytes/source.ts';
 import type { OpenCloud, PointChunk } from './cloud-reader.ts';
-import { openCloud } from './formats.ts';
 import { makeScan } from './make-scan.ts';
+import { openScan } from './open-scan.ts';
 import { Preview } from './preview.ts';
-import type { ByteSource } from './source.ts';
-import { diagonalOf, FARTHEST, powerOfTwoBelow, Thinning } from './thinning.ts';
+import { scanName } from './scan-name.ts';
+import { CELLS_TOLD_APART } from './thin/cell-hash.ts';
+import { diagonalOf, FARTHEST, powerOfTwoBelow, Thinning } from './thin/thinning.ts';
 
 export type ReadOptions = Pick<Options, 'resolution' | 'pointBudget' | 'unit' | 'pixelsPerMetre'>;
 
@@ -33,27 +34,41 @@ export interface ReadControl {
 const CHECKED_POINTS = 1 << 16;
 
 /**
- * Reads a point cloud and thins it to the working resolution.
+ * Reads a point cloud and thins it to the working resolution; several sources, and the files of an archive, are parts of
+ * one scan.
  *
  * Cells are the largest power of two, in source units, that is not above `resolution`; coarser where more than
  * `pointBudget` points would be kept. The unit is judged on the first chunk, to start with the right cell, and again at
- * the end: finer cells are then coarsened, and where coarser ones were used the source is read once more. Ready slices
+ * the end: finer cells are then coarsened, and where coarser ones were used the source is read once more; so is an
+ * adaptive cloud of unknown unit. Ready slices
  * keep every distinct point up to the budget. The result does not depend on the order of the points.
  *
  * @throws input/…, environment/network, environment/memory, cancelled
  */
 export async function readScan(
-  source: ByteSource,
+  source: ByteSource | readonly ByteSource[],
   options: ReadOptions,
   control: ReadControl = {},
 ): Promise<Scan> {
-  const { format, cloud } = await openCloud(source);
-  const run: ReadRun = { source, cloud, options, control, bytesBefore: 0, bytesRead: 0, target: 0 };
-  let thinning = await readOnce(run);
-  assertPoints(source.name, thinning);
+  const sources = 'name' in source ? [source] : source;
+  const { format, cloud } = await openScan(sources);
+  const run: ReadRun = {
+    name: scanName(sources),
+    sources,
+    cloud,
+    options,
+    control,
+    bytesBefore: 0,
+    bytesRead: 0,
+    target: 0,
+  };
+  const known = cloud.isAdaptive ? statedCell(run) : undefined;
+  let thinning = await readOnce(run, known);
+  assertPoints(run.name, thinning);
   if (!cloud.isSlice) {
     run.target = targetCell(run, thinning);
-    if (isWrongStart(thinning, run.target)) {
+    const isRough = cloud.isAdaptive && known === undefined;
+    if (isRough || isWrongStart(thinning, run.target)) {
       run.bytesBefore = run.bytesRead;
       thinning = await readOnce(run, run.target);
     } else if (thinning.cell < run.target) {
@@ -61,14 +76,15 @@ export async function readScan(
     }
   }
   thinning.close();
-  const bytes = source.size ?? run.bytesRead;
-  const scan = makeScan(thinning, { name: source.name, format, bytes, cloud, target: run.target });
+  const bytes = sizeOfAll(sources) ?? run.bytesRead;
+  const scan = makeScan(thinning, { name: run.name, format, bytes, cloud, target: run.target });
   if (thinning.count <= CHECKED_POINTS) checkSpread(scan.positions);
   return scan;
 }
 
 interface ReadRun {
-  readonly source: ByteSource;
+  readonly name: string;
+  readonly sources: readonly ByteSource[];
   readonly cloud: OpenCloud;
   readonly options: ReadOptions;
   readonly control: ReadControl;
@@ -85,7 +101,7 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
   const chunks = cloud.chunks((bytesRead) => {
     run.bytesRead = bytesRead;
     report(run, thinning?.read ?? 0);
-  });
+  }, cell ?? 0);
   // Half: most scans lose more than that to thinning, and a table that proves too small grows once.
   const expected = (cloud.pointsAnnounced ?? 0) / 2;
   for await (const chunk of chunks) {
@@ -94,18 +110,28 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
     preview?.add(chunk);
   }
   preview?.flush();
-  if (!thinning) throw noPoints(run.source.name);
+  if (!thinning) throw noPoints(run.name);
   report(run, thinning.read);
   return thinning;
 }
 
-function report({ source, control, bytesBefore, bytesRead }: ReadRun, points: number): void {
+function report({ sources, control, bytesBefore, bytesRead }: ReadRun, points: number): void {
+  const size = sizeOfAll(sources);
   if (control.signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
   control.onProgress?.({
     bytesRead: bytesBefore + bytesRead,
-    ...(source.size !== undefined && { totalBytes: source.size * (bytesBefore > 0 ? 2 : 1) }),
+    ...(size !== undefined && { totalBytes: size * (bytesBefore > 0 ? 2 : 1) }),
     points,
   });
+}
+
+function sizeOfAll(sources: readonly ByteSource[]): number | undefined {
+  let sum = 0;
+  for (const { size } of sources) {
+    if (size === undefined) return undefined;
+    sum += size;
+  }
+  return sum;
 }
 
 /** A guess that only speed depends on: the cell that the unit of the first points asks for. */
@@ -114,6 +140,12 @@ function firstCell(run: ReadRun, chunk: PointChunk): number {
   const trial = new Thinning({ cell: 0, budget: chunk.count });
   trial.add(chunk);
   return diagonalOf(trial.bounds) > 0 ? targetCell(run, trial) : 0;
+}
+
+/** The cell, where the unit need not be judged. */
+function statedCell({ cloud, options }: ReadRun): number | undefined {
+  const stated = statedUnit(cloud, options);
+  return stated ? powerOfTwoBelow(options.resolution / stated.metresPerUnit) : undefined;
 }
 
 /** Whether points were lost that cells of `target` keep: to cells too coarse, or too fine to be told apart. */

@@ -18,8 +18,6 @@ const SIGNATURES: readonly Signature[] = [
   { what: 'a WebP image', magic: 'WEBP', offset: 8 },
   { what: 'a HEIC image or MP4 video', magic: 'ftyp', offset: 4 },
   { what: 'a PDF document', magic: '%PDF' },
-  { what: 'a ZIP archive', magic: 'PK\x03\x04' },
-  { what: 'a gzip archive', magic: '\x1f\x8b' },
   { what: 'a 7-Zip archive', magic: "7z\xbc\xaf'\x1c" },
   { what: 'a RAR archive', magic: 'Rar!' },
   { what: 'a Zstandard archive', magic: '\x28\xb5\x2f\xfd' },

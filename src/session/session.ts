@@ -11,8 +11,8 @@ import {
 } from '../core/pipeline-run.ts';
 import type { StageResults } from '../core/stage-results.ts';
 import type { StageName } from '../core/stages.ts';
+import type { ByteSource } from '../read/bytes/source.ts';
 import { readScan } from '../read/read-scan.ts';
-import type { ByteSource } from '../read/source.ts';
 import { makeSolid } from '../solid/make-solid.ts';
 import { writeFiles } from '../write/formats.ts';
 import { drawPicture, PICTURES, type PictureFacts, type PictureName } from '../write/pictures.ts';
@@ -27,7 +27,7 @@ export interface SessionControl extends RunControl {
 }
 
 interface OpenSource {
-  readonly source: ByteSource;
+  readonly sources: readonly ByteSource[];
   readonly cache: StageCache;
   /** What each stage last took, ms. */
   readonly times: Map<StageName, number>;
@@ -71,9 +71,14 @@ export class Session {
     return this.#last?.run.stages ?? [];
   }
 
-  /** Reads a scan and makes its plan. @throws FloorPlanError */
-  async load(source: ByteSource, given: GivenValues = {}, control: SessionControl = {}): Promise<RunResult> {
-    const opened = { source, cache: new StageCache(), times: new Map<StageName, number>() };
+  /** Reads a scan, several sources as parts of one, and makes its plan. @throws FloorPlanError */
+  async load(
+    source: ByteSource | readonly ByteSource[],
+    given: GivenValues = {},
+    control: SessionControl = {},
+  ): Promise<RunResult> {
+    const sources = 'name' in source ? [source] : source;
+    const opened = { sources, cache: new StageCache(), times: new Map<StageName, number>() };
     const result = await this.#runOwn(opened, given, control);
     this.#open = opened;
     this.#result = result;
@@ -95,8 +100,8 @@ export class Session {
    */
   async compare(given: GivenValues, control: SessionControl = {}): Promise<RunResult> {
     if (!this.#open) throw noScan();
-    const { source, cache } = this.#open;
-    return this.#run(source, given, new PipelineRun(cache.fork(), this.#hooks, control), control);
+    const { sources, cache } = this.#open;
+    return this.#run(sources, given, new PipelineRun(cache.fork(), this.#hooks, control), control);
   }
 
   /** A picture of the last run as SVG, with its stage's time; null where the run did not get so far. */
@@ -116,21 +121,21 @@ export class Session {
 
   /** A run that leaves its evidence, however far it gets. */
   async #runOwn(
-    { source, cache, times }: OpenSource,
+    { sources, cache, times }: OpenSource,
     given: GivenValues,
     control: SessionControl,
   ): Promise<RunResult> {
     const run = new PipelineRun(cache, this.#hooks, control);
     this.#last = { run, given, times };
     try {
-      return await this.#run(source, given, run, control);
+      return await this.#run(sources, given, run, control);
     } finally {
       for (const { name, ms, isCached } of run.stages) if (!isCached) times.set(name, ms);
     }
   }
 
   async #run(
-    source: ByteSource,
+    sources: readonly ByteSource[],
     given: GivenValues,
     run: PipelineRun,
     control: SessionControl,
@@ -140,7 +145,7 @@ export class Session {
       'read',
       readOptions,
       async (context) => {
-        const read = await readScan(source, readOptions, {
+        const read = await readScan(sources, readOptions, {
           signal: control.signal,
           onPreview: control.onPreview,
           onProgress: ({ bytesRead, totalBytes }) =>
@@ -169,9 +174,9 @@ export function productOf(results: StageResults): Product {
   return { ...results, name: baseName(results.read.facts.name) };
 }
 
-/** `scan.ply.gz` → `scan`; a name that is all extension stays. */
+/** `scan.ply.gz` → `scan`, `hall.las + 2` → `hall + 2`; a name that is all extension stays. */
 export function baseName(fileName: string): string {
-  return fileName.replace(/(?<=.)\.[^.]{1,5}(\.(gz|zip))?$/i, '');
+  return fileName.replace(/(?<=.)\.[^.]{1,5}?(\.(gz|zip))?(?=( \+ \d+)?$)/i, '');
 }
 
 function noScan(): FloorPlanError {

@@ -11,6 +11,7 @@ import type {
   PlanView,
   Request,
   Response,
+  ScanFile,
 } from './protocol.ts';
 import { type Line, openMainThread, openWorker, type Spawn, type Start, spawnOrder } from './spawn.ts';
 
@@ -36,8 +37,7 @@ interface Pending {
 }
 
 interface Loaded {
-  readonly source: Blob | string;
-  readonly name: string;
+  readonly files: readonly ScanFile[];
   options: GivenValues;
 }
 
@@ -65,11 +65,10 @@ export class PlanClient {
     this.#events = events;
   }
 
-  /** Reads a scan and makes its plan; a URL is taken relative to the page. @throws FloorPlanError */
-  async load(source: Blob | string, name: string, options: GivenValues = {}): Promise<PlanView> {
+  /** Reads the files of a scan and makes its plan; a URL is taken relative to the page. @throws FloorPlanError */
+  async load(given: readonly ScanFile[], options: GivenValues = {}): Promise<PlanView> {
     if (this.#isRunning) this.cancel();
-    const absolute = typeof source === 'string' ? new URL(source, globalThis.document?.baseURI).href : source;
-    const loading = { source: absolute, name, options };
+    const loading = { files: given.map(absolute), options };
     const view = await this.#ask<PlanView>({ kind: 'load', ...loading }, this.#events.onProgress);
     this.#loaded = loading;
     this.#holdsLoaded = true;
@@ -83,7 +82,7 @@ export class PlanClient {
     this.#overtake();
     const view = this.#holdsLoaded
       ? await this.#ask<PlanView>({ kind: 'update', options }, this.#events.onProgress)
-      : await this.load(this.#loaded.source, this.#loaded.name, options);
+      : await this.load(this.#loaded.files, options);
     this.#loaded.options = options;
     return view;
   }
@@ -134,8 +133,7 @@ export class PlanClient {
   /** Reads the scan shown again where the worker that held it has ended. */
   async #hold(): Promise<void> {
     if (!this.#loaded || this.#holdsLoaded || this.#isRunning) return;
-    const { source, name, options } = this.#loaded;
-    await this.load(source, name, options);
+    await this.load(this.#loaded.files, this.#loaded.options);
   }
 
   #ask<Given extends Answer>(body: RequestBody, onProgress?: Pending['onProgress']): Promise<Given> {
@@ -232,4 +230,8 @@ export class PlanClient {
     }
     this.#pending.delete(response.id);
   }
+}
+
+function absolute({ data, name }: ScanFile): ScanFile {
+  return { data: typeof data === 'string' ? new URL(data, globalThis.document?.baseURI).href : data, name };
 }

@@ -98,13 +98,19 @@ export interface ExportedFile {
   readonly blob: Blob;
 }
 
+/** A file of a scan, or its address. */
+export interface ScanFile {
+  readonly data: Blob | string;
+  readonly name: string;
+}
+
 /** Page → worker. `id` pairs a request with its answer. */
 export type Request =
   | {
       readonly kind: 'load';
       readonly id: number;
-      readonly source: Blob | string;
-      readonly name: string;
+      /** Parts of one scan, at least one. */
+      readonly files: readonly ScanFile[];
       readonly options: GivenValues;
     }
   | { readonly kind: 'update'; readonly id: number; readonly options: GivenValues }

@@ -3,8 +3,8 @@ import { resolveOptions } from '../core/options.ts';
 import type { Options } from '../core/params.ts';
 import type { StageResults } from '../core/stage-results.ts';
 import { STAGE_NAMES, type StageName } from '../core/stages.ts';
-import { blobSource } from '../read/blob-source.ts';
-import { urlSource } from '../read/url-source.ts';
+import { blobSource } from '../read/bytes/blob-source.ts';
+import { urlSource } from '../read/bytes/url-source.ts';
 import { Session, type SessionControl } from '../session/session.ts';
 import { compareRuns } from './compare-runs.ts';
 import { PictureDesk } from './picture-desk.ts';
@@ -120,9 +120,10 @@ class Desk {
       await this.#session.update(request.options, control);
       return;
     }
-    const { source, name, options } = request;
-    const bytes = typeof source === 'string' ? urlSource(source) : blobSource(source, name);
-    await this.#session.load(bytes, options, control);
+    const sources = request.files.map(({ data, name }) =>
+      typeof data === 'string' ? urlSource(data) : blobSource(data, name),
+    );
+    await this.#session.load(sources, request.options, control);
   }
 
   async #compare({ id, options, labels }: Compare, signal: AbortSignal): Promise<void> {

@@ -66,6 +66,26 @@ test('a picked file becomes a plan', async ({ page }) => {
   await expectReady(page);
 });
 
+test('files picked together are one scan, or one of them', async ({ page }) => {
+  await page.goto('./?src=');
+  const rows = roomCsv().trim().split('\n');
+  const part = (name: string, from: number, to?: number) => ({
+    name,
+    mimeType: 'text/csv',
+    buffer: Buffer.from(`${[rows[0], ...rows.slice(from, to)].join('\n')}\n`),
+  });
+  const half = Math.floor(rows.length / 2);
+  await page.getByTestId('file-input').setInputFiles([part('a.csv', 1, half), part('b.csv', half)]);
+  await expectReady(page);
+  await expect(page.getByText(/a\.csv \+ 1 · /)).toBeVisible();
+  const choice = page.getByRole('combobox', { name: 'Files opened together' });
+  await choice.selectOption('b.csv');
+  await expect(page.getByText(/^b\.csv · /)).toBeVisible();
+  await expectReady(page);
+  await choice.selectOption('2 files as one scan');
+  await expect(page.getByText(/a\.csv \+ 1 · /)).toBeVisible();
+});
+
 test('?src= loads a scan by its address', async ({ page }) => {
   await openPlan(page, '?src=samples/hallway.csv');
   await expect(page.getByText(/hallway\.csv · /)).toBeVisible();

@@ -5,7 +5,7 @@ import { homeBuilding, officeBuilding } from '../../fixtures/simulator/layouts.t
 import { paperSlice } from '../../fixtures/simulator/slices.ts';
 import { createStrokeTest } from '../../src/cli/canvas-stroke.ts';
 import type { Options } from '../../src/core/params.ts';
-import { blobSource } from '../../src/read/blob-source.ts';
+import { blobSource } from '../../src/read/bytes/blob-source.ts';
 import { Session } from '../../src/session/session.ts';
 import { measurePlan } from '../accuracy/measure.ts';
 

@@ -4,7 +4,7 @@ import { createStrokeTest } from '../../src/cli/canvas-stroke.ts';
 import type { Options } from '../../src/core/params.ts';
 import type { StageResults } from '../../src/core/stage-results.ts';
 import type { Frame, Polygon } from '../../src/core/types.ts';
-import { blobSource } from '../../src/read/blob-source.ts';
+import { blobSource } from '../../src/read/bytes/blob-source.ts';
 import { Session } from '../../src/session/session.ts';
 import { type Region, regionOf, unite } from '../accuracy/regions.ts';
 

@@ -3,7 +3,7 @@ import { STRUCTURE_SHAPES, type VariedSlice, variedSlice } from '../../fixtures/
 import { createStrokeTest } from '../../src/cli/canvas-stroke.ts';
 import type { Options } from '../../src/core/params.ts';
 import type { SecondaryResult } from '../../src/core/types.ts';
-import { blobSource } from '../../src/read/blob-source.ts';
+import { blobSource } from '../../src/read/bytes/blob-source.ts';
 import { Session } from '../../src/session/session.ts';
 import { intersectionOverUnion, type Region, regionOf } from '../accuracy/regions.ts';
 

@@ -5,7 +5,7 @@ import { homeBuilding } from '../../fixtures/simulator/layouts.ts';
 import { structureSlice } from '../../fixtures/simulator/slices.ts';
 import { createStrokeTest } from '../../src/cli/canvas-stroke.ts';
 import { type Options, PARAM_NAMES, type ParamName } from '../../src/core/params.ts';
-import { blobSource } from '../../src/read/blob-source.ts';
+import { blobSource } from '../../src/read/bytes/blob-source.ts';
 import { Session } from '../../src/session/session.ts';
 
 interface Change {

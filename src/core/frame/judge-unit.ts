@@ -37,7 +37,7 @@ type UnitOptions = Pick<Options, 'unit' | 'pixelsPerMetre' | 'up'>;
 type UnitScan = Pick<Scan, 'positions' | 'isSlice' | 'unit'>;
 
 /** The unit a person gave or the file states; null where it must be judged. */
-export function statedUnit(scan: UnitScan, options: UnitOptions): JudgedUnit | null {
+export function statedUnit(scan: Pick<Scan, 'unit'>, options: Omit<UnitOptions, 'up'>): JudgedUnit | null {
   if (options.unit !== 'auto') return stated(options.unit, options, 'it was given');
   if (scan.unit !== undefined) return stated(scan.unit, options, 'the file states it');
   return null;
@@ -113,7 +113,7 @@ function largestStorey(planes: readonly HeightPlane[], metresPerUnit: number) {
   return best;
 }
 
-function stated(unit: Unit, { pixelsPerMetre }: UnitOptions, why: string): JudgedUnit {
+function stated(unit: Unit, { pixelsPerMetre }: Omit<UnitOptions, 'up'>, why: string): JudgedUnit {
   const metresPerUnit = unit === 'px' ? 1 / pixelsPerMetre : METRES[unit];
   return { unit, metresPerUnit, reason: `The unit is ${unit}: ${why}.`, isGuess: false };
 }

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { NumberScanner, parseNumber } from '../../../src/read/scan-number.ts';
+import { NumberScanner, parseNumber } from '../../../src/read/text/scan-number.ts';
 import { bytesOf, memorySource, readAll } from '../../unit/read/memory-source.ts';
 
 const digits = (maxLength: number) => fc.string({ unit: fc.constantFrom(...'0123456789'), maxLength });

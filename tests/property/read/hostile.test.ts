@@ -1,10 +1,11 @@
 import fc from 'fast-check';
+import { gzipSync, zipSync } from 'fflate';
 import { expect, it } from 'vitest';
 import { FloorPlanError } from '../../../src/core/errors.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
+import type { ByteSource } from '../../../src/read/bytes/source.ts';
 import { READ_FORMAT_NAMES, READ_FORMATS } from '../../../src/read/formats.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
-import type { ByteSource } from '../../../src/read/source.ts';
 import { bytesOf, memorySource } from '../../unit/read/memory-source.ts';
 import { plyBytes } from '../../unit/read/ply-bytes.ts';
 
@@ -24,6 +25,8 @@ const GOOD = [
   plyBytes([{ ...vertex, name: 'face' }, vertex], { format: 'binary_big_endian' }),
   bytesOf(`x,y,z,r,g,b\n${records.map(([x, , y, z]) => [x, y, z, 1, 2, 3].join()).join('\n')}`),
   bytesOf(records.map(([x, , y]) => `${x},5 ${y},25\r`).join('')),
+  gzipSync(bytesOf('x,y,z\n1,2,3\n4,5,6\n7,8,10\n')),
+  zipSync({ 'a.xyz': bytesOf('1 2 3\n4 5 6\n'), b: [bytesOf('7,8,10\n9,9,9\n'), { level: 0 }] }),
 ];
 
 const spoilt = fc
@@ -83,7 +86,7 @@ it.each(READ_FORMAT_NAMES)('the %s reader alone throws nothing else', async (for
       READ_FORMATS[format].detect(bytes);
       await expectScanOrError(async () => {
         const cloud = await READ_FORMATS[format].open(memorySource(bytes, 'a', split));
-        for await (const { count } of cloud.chunks(() => {})) expect(count).toBeGreaterThan(0);
+        for await (const { count } of cloud.chunks(() => {}, 0)) expect(count).toBeGreaterThan(0);
       });
     }),
     { numRuns: 1_000 },

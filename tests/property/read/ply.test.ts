@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import type { PlyProperty, PlyType } from '../../../src/read/ply-header.ts';
+import type { PlyProperty, PlyType } from '../../../src/read/ply/ply-header.ts';
 import { memorySource, readAll } from '../../unit/read/memory-source.ts';
 import { type PlyContent, plyBytes } from '../../unit/read/ply-bytes.ts';
 

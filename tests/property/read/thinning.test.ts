@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { resolveOptions } from '../../../src/core/options.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
-import { Thinning } from '../../../src/read/thinning.ts';
+import { Thinning } from '../../../src/read/thin/thinning.ts';
 import { memorySource } from '../../unit/read/memory-source.ts';
 
 type Point = readonly [number, number, number];

@@ -2,6 +2,7 @@ import { execFile } from 'node:child_process';
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { measurePlan } from '../../accuracy/measure.ts';
 import { BAD_INPUTS } from '../../bad-inputs.ts';
@@ -82,6 +83,33 @@ describe('a good scan', () => {
     expect(stdout.trim().split('\n')).toHaveLength(3);
     expect((await readdir(out)).sort()).toEqual(['hallway', 'home', 'home-2']);
     expect((await readdir(join(out, 'home-2'))).sort()).toEqual(['plan.geojson', 'report.json']);
+  });
+
+  it('takes several inputs as parts of one scan when asked, packed or not', async () => {
+    const rows = (await readFile(hallway, 'utf8')).trim().split('\n');
+    const [header, ...points] = rows;
+    const parts = [points.slice(0, 700), points.slice(700)].map(
+      (part) => `${[header, ...part].join('\n')}\n`,
+    );
+    const [plain, packed] = [join(folder, 'part-1.csv'), join(folder, 'part-2.csv.gz')];
+    await writeFile(plain, parts[0]);
+    await writeFile(packed, gzipSync(parts[1]));
+    const [together, whole] = [join(folder, 'together'), join(folder, 'whole')];
+    const { exitCode, stdout } = await grundriss(
+      plain,
+      packed,
+      '--merge',
+      '-o',
+      together,
+      '--formats',
+      'geojson',
+    );
+    expect(exitCode).toBe(0);
+    expect(JSON.parse(stdout).input).toMatchObject({ name: 'part-1.csv + 1', pointsRead: points.length });
+    await grundriss(hallway, '-o', whole, '--formats', 'geojson');
+    expect(await readFile(join(together, 'plan.geojson'), 'utf8')).toBe(
+      await readFile(join(whole, 'plan.geojson'), 'utf8'),
+    );
   });
 
   it('draws the stages when asked', async () => {

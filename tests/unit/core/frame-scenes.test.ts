@@ -4,7 +4,7 @@ import { orient } from '../../../src/core/frame.ts';
 import { chooseLevel } from '../../../src/core/level.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
 import { removeOutliers } from '../../../src/core/outliers.ts';
-import { blobSource } from '../../../src/read/blob-source.ts';
+import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
 import { listen } from './made-scan.ts';
 

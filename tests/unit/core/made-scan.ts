@@ -83,6 +83,7 @@ export function makeScan(points: ArrayLike<number>, extra: Partial<Scan> = {}): 
     attributes: {},
     bounds: { min: side(Math.min), max: side(Math.max) },
     cellSize: 0,
+    stations: [],
     isSlice: false,
     warnings: [],
     ...extra,

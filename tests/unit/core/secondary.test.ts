@@ -24,7 +24,7 @@ import { distanceToRing } from '../../../src/core/secondary/structure.ts';
 import { findWallFaces } from '../../../src/core/secondary/wall-faces.ts';
 import { findSecondary } from '../../../src/core/secondary.ts';
 import type { Slice } from '../../../src/core/types.ts';
-import { blobSource } from '../../../src/read/blob-source.ts';
+import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import { Session } from '../../../src/session/session.ts';
 import { expectValidPolygons, expectValidRing } from '../../invariants.ts';
 import { codesOf, listen, shuffled } from './made-scan.ts';

@@ -17,7 +17,7 @@ beforeEach(async () => {
   steps = new StepChoice(maker);
   const lines = ['x,y'];
   for (let s = 0; s < 4; s += 0.02) lines.push(`${s},0`, `${s},3`, `0,${s * 0.75}`, `4,${s * 0.75}`);
-  await maker.load({ data: new Blob([lines.join('\n')]), name: 'room.csv' }, { unit: 'm' });
+  await maker.load([{ data: new Blob([lines.join('\n')]), name: 'room.csv' }], { unit: 'm' });
 });
 
 it('goes forth and back, and stops at either end', () => {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { detectFormat, openCloud, READ_FORMATS } from '../../../src/read/formats.ts';
+import { detectFormat, READ_FORMATS } from '../../../src/read/formats.ts';
+import { openScan } from '../../../src/read/open-scan.ts';
 import { bytesOf, memorySource } from './memory-source.ts';
 
 describe('detection', () => {
@@ -28,7 +29,7 @@ describe('detection', () => {
   });
 
   it('refuses an empty file', async () => {
-    await expect(openCloud(memorySource('', 'a.ply'))).rejects.toMatchObject({ code: 'input/empty' });
+    await expect(openScan([memorySource('', 'a.ply')])).rejects.toMatchObject({ code: 'input/empty' });
   });
 });
 

@@ -1,6 +1,6 @@
+import type { ByteSource } from '../../../src/read/bytes/source.ts';
 import type { PointChunk } from '../../../src/read/cloud-reader.ts';
-import { openCloud } from '../../../src/read/formats.ts';
-import type { ByteSource } from '../../../src/read/source.ts';
+import { openScan } from '../../../src/read/open-scan.ts';
 
 export const bytesOf = (text: string) => new TextEncoder().encode(text);
 
@@ -36,13 +36,13 @@ export interface AllPoints {
 
 /** Everything a reader finds, as plain arrays. */
 export async function readAll(source: ByteSource): Promise<AllPoints> {
-  const { cloud } = await openCloud(source);
+  const { cloud } = await openScan([source]);
   const xyz: number[][] = [];
   const colour: number[][] = [];
   const intensity: number[] = [];
   const classification: number[] = [];
   let last: PointChunk | undefined;
-  for await (const chunk of cloud.chunks(() => {})) {
+  for await (const chunk of cloud.chunks(() => {}, 0)) {
     last = chunk;
     for (let i = 0; i < chunk.count; i++) {
       xyz.push([...chunk.xyz.subarray(3 * i, 3 * i + 3)]);

@@ -1,4 +1,9 @@
-import { PLY_SIZES, type PlyHeader, type PlyProperty, type PlyType } from '../../../src/read/ply-header.ts';
+import {
+  type PlyHeader,
+  type PlyProperty,
+  type PlyType,
+  valueBytes,
+} from '../../../src/read/ply/ply-header.ts';
 import { bytesOf } from './memory-source.ts';
 
 export interface PlyContent {
@@ -61,7 +66,7 @@ function binaryBody(elements: readonly PlyContent[], { format }: PlyStyle): Uint
       double: () => view.setFloat64(0, value, isLittle),
     };
     setters[type]();
-    for (let i = 0; i < PLY_SIZES[type]; i++) bytes.push(view.getUint8(i));
+    for (let i = 0; i < valueBytes(type); i++) bytes.push(view.getUint8(i));
   };
   for (const { properties, records } of elements) {
     for (const record of records) {

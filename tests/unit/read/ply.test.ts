@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { PlyProperty, PlyType } from '../../../src/read/ply-header.ts';
+import type { PlyProperty, PlyType } from '../../../src/read/ply/ply-header.ts';
 import { memorySource, readAll } from './memory-source.ts';
 import { type PlyContent, plyBytes } from './ply-bytes.ts';
 

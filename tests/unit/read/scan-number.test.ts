@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { NumberScanner, parseNumber } from '../../../src/read/scan-number.ts';
+import { NumberScanner, parseNumber } from '../../../src/read/text/scan-number.ts';
 import { bytesOf } from './memory-source.ts';
 
 function scan(text: string, hasComma = true) {

@@ -7,10 +7,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 import { nodeSource } from '../../../src/cli/node-source.ts';
-import { blobSource } from '../../../src/read/blob-source.ts';
-import { ByteCursor } from '../../../src/read/byte-cursor.ts';
-import type { ByteSource } from '../../../src/read/source.ts';
-import { urlSource } from '../../../src/read/url-source.ts';
+import { blobSource } from '../../../src/read/bytes/blob-source.ts';
+import { ByteCursor } from '../../../src/read/bytes/byte-cursor.ts';
+import type { ByteSource } from '../../../src/read/bytes/source.ts';
+import { urlSource } from '../../../src/read/bytes/url-source.ts';
 import { memorySource } from './memory-source.ts';
 
 /** Longer than one piece of any source. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { powerOfTwoBelow, Thinning } from '../../../src/read/thinning.ts';
+import { powerOfTwoBelow, Thinning } from '../../../src/read/thin/thinning.ts';
 
 function thin(points: readonly (readonly number[])[], cell: number, budget = 1e6): Thinning {
   const thinning = new Thinning({ cell, budget });

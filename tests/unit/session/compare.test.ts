@@ -1,7 +1,7 @@
 import { beforeAll, expect, test } from 'vitest';
 import { paperSlice } from '../../../fixtures/simulator/slices.ts';
 import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
-import { blobSource } from '../../../src/read/blob-source.ts';
+import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import { Session } from '../../../src/session/session.ts';
 import { comparePolygons } from '../../../src/write/compare-polygons.ts';
 

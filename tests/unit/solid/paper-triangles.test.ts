@@ -3,7 +3,7 @@ import { PAPER_SLICES, type PaperSliceName, paperSlice } from '../../../fixtures
 import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
 import type { Options } from '../../../src/core/params.ts';
 import type { Storey } from '../../../src/core/types.ts';
-import { blobSource } from '../../../src/read/blob-source.ts';
+import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import type { RunResult } from '../../../src/session/result.ts';
 import { Session } from '../../../src/session/session.ts';
 import { checkSolid } from '../../../src/solid/check-solid.ts';

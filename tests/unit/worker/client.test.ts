@@ -17,7 +17,7 @@ const cancelled = { code: 'cancelled' };
 it('makes a plan, changes it and writes it, and says that there is no worker', async () => {
   const warnings: string[] = [];
   const client = new PlanClient({ onWarning: ({ code }) => warnings.push(code) });
-  const first = await client.load(room(4), 'room.csv');
+  const first = await client.load([{ data: room(4), name: 'room.csv' }]);
   expect(first.plan.storeys[0].primary).toHaveLength(1);
   const changed = await client.update({ wallThickness: 0.5 });
   expect(changed.options.wallThickness).toBe(0.5);
@@ -34,28 +34,28 @@ it('asks the page for a worker first, once', async () => {
     throw new Error('refused');
   };
   const client = new PlanClient({ spawnWorker: () => spawn });
-  await client.load(room(4), 'room.csv');
+  await client.load([{ data: room(4), name: 'room.csv' }]);
   client.cancel();
-  await client.load(room(4), 'room.csv');
+  await client.load([{ data: room(4), name: 'room.csv' }]);
   expect(asked).toBe(1);
 });
 
 it('of two loads the later wins, even before the line is ready', async () => {
   const client = new PlanClient();
-  const overtaken = expect(client.load(room(4), 'a.csv')).rejects.toMatchObject(cancelled);
-  const view = await client.load(room(6), 'b.csv');
+  const overtaken = expect(client.load([{ data: room(4), name: 'a.csv' }])).rejects.toMatchObject(cancelled);
+  const view = await client.load([{ data: room(6), name: 'b.csv' }]);
   await overtaken;
   expect(view.plan.source.name).toBe('b.csv');
 });
 
 it('of two updates the later wins; a load under way falls to an update of the scan shown', async () => {
   const client = new PlanClient();
-  await client.load(room(4), 'a.csv');
+  await client.load([{ data: room(4), name: 'a.csv' }]);
   const overtaken = expect(client.update({ wallThickness: 0.3 })).rejects.toMatchObject(cancelled);
   const view = await client.update({ wallThickness: 0.4 });
   await overtaken;
   expect(view.options.wallThickness).toBe(0.4);
-  const fallen = expect(client.load(room(6), 'b.csv')).rejects.toMatchObject(cancelled);
+  const fallen = expect(client.load([{ data: room(6), name: 'b.csv' }])).rejects.toMatchObject(cancelled);
   const again = await client.update({ wallThickness: 0.6 });
   await fallen;
   expect(again.plan.source.name).toBe('a.csv');
@@ -63,8 +63,8 @@ it('of two updates the later wins; a load under way falls to an update of the sc
 
 it('after a cancelled load the scan before is read again for an export, with its own options', async () => {
   const client = new PlanClient();
-  const shown = await client.load(room(4), 'a.csv', { wallThickness: 0.4 });
-  const stopped = expect(client.load(room(6), 'b.csv')).rejects.toMatchObject(cancelled);
+  const shown = await client.load([{ data: room(4), name: 'a.csv' }], { wallThickness: 0.4 });
+  const stopped = expect(client.load([{ data: room(6), name: 'b.csv' }])).rejects.toMatchObject(cancelled);
   client.cancel();
   await stopped;
   const [file] = await client.export('svg');
@@ -73,8 +73,8 @@ it('after a cancelled load the scan before is read again for an export, with its
 
 it('after a load that fails the scan before is still there', async () => {
   const client = new PlanClient();
-  const shown = await client.load(room(4), 'a.csv');
-  await expect(client.load(new Blob(['no cloud']), 'x.ply')).rejects.toMatchObject({
+  const shown = await client.load([{ data: room(4), name: 'a.csv' }]);
+  await expect(client.load([{ data: new Blob(['no cloud']), name: 'x.ply' }])).rejects.toMatchObject({
     code: 'input/unknown-format',
   });
   const [file] = await client.export('svg');
@@ -83,7 +83,7 @@ it('after a load that fails the scan before is still there', async () => {
 
 it('draws the pictures of the plan, each once as long as its stage stands', async () => {
   const client = new PlanClient();
-  const view = await client.load(room(4), 'room.csv');
+  const view = await client.load([{ data: room(4), name: 'room.csv' }]);
   const names = view.pictures.map(({ name }) => name);
   expect(names).toEqual(expect.arrayContaining(['slice', 'hull', 'plan', 'model']));
   for (const name of names)
@@ -105,7 +105,7 @@ it('draws the pictures of the plan, each once as long as its stage stands', asyn
 it('a run that fails tells which stage, and its pictures up to there can be had beside those of the plan', async () => {
   const evidence: Evidence[] = [];
   const client = new PlanClient({ onEvidence: (given) => evidence.push(given) });
-  const view = await client.load(room(4), 'room.csv');
+  const view = await client.load([{ data: room(4), name: 'room.csv' }]);
   const hull = await client.picture({ name: 'hull', of: 'plan' });
   await expect(client.update({ boundary: 'alpha-shape', alpha: 0.001 })).rejects.toMatchObject({
     code: 'result/no-boundary',
@@ -122,7 +122,7 @@ it('a run that fails tells which stage, and its pictures up to there can be had 
 
 it('puts another plan beside the one shown, which stays', async () => {
   const client = new PlanClient();
-  const shown = await client.load(room(4), 'room.csv');
+  const shown = await client.load([{ data: room(4), name: 'room.csv' }]);
   const stages: string[] = [];
   const request = { options: { boundary: 'convex' }, labels: ['Gift opening', 'Convex'] } as const;
   const comparison = await client.compare(request, ({ stage }) => stages.push(stage));
@@ -139,7 +139,7 @@ it('puts another plan beside the one shown, which stays', async () => {
 
 it('a comparison can be stopped, is overtaken by the next, and falls to an update', async () => {
   const client = new PlanClient();
-  await client.load(room(4), 'room.csv');
+  await client.load([{ data: room(4), name: 'room.csv' }]);
   const request = (boundary: 'convex' | 'concaveman') =>
     ({ options: { boundary }, labels: ['', ''] }) as const;
   const stopped = expect(client.compare(request('convex'))).rejects.toMatchObject(cancelled);
@@ -157,9 +157,9 @@ it('a comparison can be stopped, is overtaken by the next, and falls to an updat
 
 it('after a cancelled load the scan before is read again for a picture', async () => {
   const client = new PlanClient();
-  await client.load(room(4), 'a.csv');
+  await client.load([{ data: room(4), name: 'a.csv' }]);
   const hull = await client.picture({ name: 'hull', of: 'plan' });
-  const stopped = expect(client.load(room(6), 'b.csv')).rejects.toMatchObject(cancelled);
+  const stopped = expect(client.load([{ data: room(6), name: 'b.csv' }])).rejects.toMatchObject(cancelled);
   client.cancel();
   await stopped;
   expect(await client.picture({ name: 'hull', of: 'plan' })).toBe(hull);

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
 import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
-import { blobSource } from '../../../src/read/blob-source.ts';
+import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import { Session } from '../../../src/session/session.ts';
 import { PictureDesk } from '../../../src/worker/picture-desk.ts';
 import { parseXml } from '../write/strict-xml.ts';

@@ -6,7 +6,7 @@ import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
 import { vertexCount } from '../../../src/core/geometry/rings.ts';
 import type { Options } from '../../../src/core/params.ts';
 import type { StageResults } from '../../../src/core/stage-results.ts';
-import { blobSource } from '../../../src/read/blob-source.ts';
+import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import { Session } from '../../../src/session/session.ts';
 import {
   drawPicture,

@@ -1,6 +1,6 @@
-import { FloorPlanError } from '../core/errors.ts';
+import { FloorPlanError } from '../../core/errors.ts';
+import type { PointChunk } from '../cloud-reader.ts';
 import { CELLS_TOLD_APART } from './cell-hash.ts';
-import type { PointChunk } from './cloud-reader.ts';
 import { HashedRun, RUN_POINTS, SLOT_SHIFT } from './hashed-run.ts';
 import { KeptAttributes } from './kept-attributes.ts';
 import { PointSample } from './point-sample.ts';

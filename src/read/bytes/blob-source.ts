@@ -1,4 +1,4 @@
-import { FloorPlanError } from '../core/errors.ts';
+import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteSource } from './source.ts';
 
 /** Large enough that the wait for a piece does not show, small enough that memory does not notice. */

@@ -1,10 +1,10 @@
-import { countOf } from '../core/count-words.ts';
-import { FloorPlanError } from '../core/errors.ts';
-import type { PointChunk, ReadProgress } from './cloud-reader.ts';
+import { countOf } from '../../core/count-words.ts';
+import { FloorPlanError } from '../../core/errors.ts';
+import type { ByteSource } from '../bytes/source.ts';
+import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { type ColourRange, PointBuffer } from '../point-buffer.ts';
 import { lineBlocks } from './line-blocks.ts';
-import { type ColourRange, PointBuffer } from './point-buffer.ts';
 import { type RowLayout, RowParser } from './row-parser.ts';
-import type { ByteSource } from './source.ts';
 
 /** Rows of points somewhere in a text file. */
 export interface TextPoints {

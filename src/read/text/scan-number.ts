@@ -1,4 +1,4 @@
-import { latin1 } from './signatures.ts';
+import { latin1 } from '../signatures.ts';
 
 const ZERO = 48;
 const DOT = 46;

@@ -1,8 +1,8 @@
-import { FloorPlanError } from '../core/errors.ts';
-import type { OpenCloud, ReadFormat } from './cloud-reader.ts';
+import { FloorPlanError } from '../../core/errors.ts';
+import type { ByteSource } from '../bytes/source.ts';
+import type { OpenCloud, ReadFormat } from '../cloud-reader.ts';
+import { HEAD_BYTES, isText, recogniseForeign } from '../signatures.ts';
 import { layOutCsv } from './csv-layout.ts';
-import { HEAD_BYTES, isText, recogniseForeign } from './signatures.ts';
-import type { ByteSource } from './source.ts';
 import { readTextPoints } from './text-points.ts';
 
 /** Looked at where the first 64 KiB hold nothing but comments or very long rows. */

@@ -1,14 +1,14 @@
-import { countOf } from '../core/count-words.ts';
-import { FloorPlanError } from '../core/errors.ts';
-import type { OpenCloud, ReadFormat } from './cloud-reader.ts';
-import { columnsOfFields } from './field-names.ts';
+import { countOf } from '../../core/count-words.ts';
+import { FloorPlanError } from '../../core/errors.ts';
+import type { ByteSource } from '../bytes/source.ts';
+import type { OpenCloud, ReadFormat } from '../cloud-reader.ts';
+import { columnsOfFields } from '../field-names.ts';
+import { type ColourRange, RED, Z } from '../point-buffer.ts';
+import { latin1 } from '../signatures.ts';
+import { BLANK, LIST } from '../text/row-parser.ts';
+import { readTextPoints } from '../text/text-points.ts';
 import { readBinaryPly, recordBytes } from './ply-binary.ts';
-import { PLY_SIZES, type PlyElement, type PlyHeader, readPlyHeader } from './ply-header.ts';
-import { type ColourRange, RED, Z } from './point-buffer.ts';
-import { BLANK, LIST } from './row-parser.ts';
-import { latin1 } from './signatures.ts';
-import type { ByteSource } from './source.ts';
-import { readTextPoints } from './text-points.ts';
+import { type PlyElement, type PlyHeader, readPlyHeader, valueBytes } from './ply-header.ts';
 
 export const PLY_FORMAT: ReadFormat = {
   label: 'PLY',
@@ -122,5 +122,5 @@ function leastBytes({ format }: PlyHeader, element: PlyElement): number {
   if (format === 'ascii') return 2 * element.properties.length;
   const fixed = recordBytes(element);
   if (fixed !== null) return fixed;
-  return element.properties.reduce((bytes, { type, countType }) => bytes + PLY_SIZES[countType ?? type], 0);
+  return element.properties.reduce((bytes, { type, countType }) => bytes + valueBytes(countType ?? type), 0);
 }

@@ -1,20 +1,26 @@
-import { FloorPlanError } from '../core/errors.ts';
-import { CARRIAGE_RETURN, LINE_FEED } from './line-blocks.ts';
-import { latin1 } from './signatures.ts';
-import type { ByteSource } from './source.ts';
+import { FloorPlanError } from '../../core/errors.ts';
+import type { ByteSource } from '../bytes/source.ts';
+import { NUMBER_BYTES, type NumberType } from '../records.ts';
+import { latin1 } from '../signatures.ts';
+import { CARRIAGE_RETURN, LINE_FEED } from '../text/line-blocks.ts';
 
-/** Bytes of a value, by both spellings of its type. */
-export const PLY_SIZES = {
-  char: 1,
-  uchar: 1,
-  short: 2,
-  ushort: 2,
-  int: 4,
-  uint: 4,
-  float: 4,
-  double: 8,
-} as const;
-export type PlyType = keyof typeof PLY_SIZES;
+/** What PLY calls its types. */
+export const NUMBER_TYPE_OF = {
+  char: 'int8',
+  uchar: 'uint8',
+  short: 'int16',
+  ushort: 'uint16',
+  int: 'int32',
+  uint: 'uint32',
+  float: 'float32',
+  double: 'float64',
+} as const satisfies Record<string, NumberType>;
+export type PlyType = keyof typeof NUMBER_TYPE_OF;
+
+/** Bytes of a value. */
+export function valueBytes(type: PlyType): number {
+  return NUMBER_BYTES[NUMBER_TYPE_OF[type]];
+}
 
 const TYPES: Readonly<Record<string, PlyType>> = {
   ...{ char: 'char', uchar: 'uchar', short: 'short', ushort: 'ushort' },

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../core/types.ts';
+import type { Vec3 } from '../../core/types.ts';
 
 /** Most points of a sample; at least half as many where the cloud has them. */
 const MOST_POINTS = 1 << 19;

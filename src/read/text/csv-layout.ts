@@ -1,6 +1,6 @@
-import { columnsOfFields } from './field-names.ts';
+import { columnsOfFields } from '../field-names.ts';
+import { BLUE, INTENSITY, RED, Z } from '../point-buffer.ts';
 import { splitLines } from './line-blocks.ts';
-import { BLUE, INTENSITY, RED, Z } from './point-buffer.ts';
 import { BLANK, COMMA, type RowLayout, SKIP, TAB } from './row-parser.ts';
 import { parseNumber } from './scan-number.ts';
 

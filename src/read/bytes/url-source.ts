@@ -1,4 +1,4 @@
-import { FloorPlanError } from '../core/errors.ts';
+import { FloorPlanError } from '../../core/errors.ts';
 import { joinBytes } from './byte-cursor.ts';
 import type { ByteSource } from './source.ts';
 

@@ -1,4 +1,4 @@
-import type { PointAttributes } from '../core/types.ts';
+import type { PointAttributes } from '../../core/types.ts';
 
 type AttributeArray = Uint8Array | Uint16Array | Float32Array;
 

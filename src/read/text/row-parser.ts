@@ -1,6 +1,6 @@
-import { FloorPlanError } from '../core/errors.ts';
+import { FloorPlanError } from '../../core/errors.ts';
+import { FIELDS } from '../point-buffer.ts';
 import { CARRIAGE_RETURN, LINE_FEED } from './line-blocks.ts';
-import { FIELDS } from './point-buffer.ts';
 import { NumberScanner, parseNumber } from './scan-number.ts';
 
 /** As a separator: any run of blanks and tabs. */

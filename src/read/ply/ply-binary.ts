@@ -1,10 +1,11 @@
-import { countOf } from '../core/count-words.ts';
-import { FloorPlanError } from '../core/errors.ts';
-import { ByteCursor } from './byte-cursor.ts';
-import type { PointChunk, ReadProgress } from './cloud-reader.ts';
-import { PLY_SIZES, type PlyElement, type PlyProperty, type PlyType } from './ply-header.ts';
-import { type ColourRange, type FieldColumn, PointBuffer } from './point-buffer.ts';
-import type { ByteSource } from './source.ts';
+import { countOf } from '../../core/count-words.ts';
+import { FloorPlanError } from '../../core/errors.ts';
+import { ByteCursor } from '../bytes/byte-cursor.ts';
+import type { ByteSource } from '../bytes/source.ts';
+import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { type ColourRange, PointBuffer } from '../point-buffer.ts';
+import { NUMBER_READERS, type RecordField, type RecordStream, readRecords } from '../records.ts';
+import { NUMBER_TYPE_OF, type PlyElement, type PlyProperty, type PlyType, valueBytes } from './ply-header.ts';
 
 /** The binary body of a PLY file, ready to be read. */
 export interface PlyBody {
@@ -30,7 +31,7 @@ export function recordBytes({ properties }: PlyElement): number | null {
   let bytes = 0;
   for (const { type, countType } of properties) {
     if (countType) return null;
-    bytes += PLY_SIZES[type];
+    bytes += valueBytes(type);
   }
   return bytes;
 }
@@ -50,76 +51,24 @@ export async function* readBinaryPly(
     for (const element of body.elements.slice(0, -1)) await skipElement(decoder, element);
     const stride = recordBytes(vertex);
     if (stride === null) yield* readListRecords(decoder);
-    else yield* readFixedRecords(decoder, stride);
+    else yield* readRecords(fixedRecords(decoder, stride));
   } finally {
     await cursor.close();
   }
 }
 
-/** Column by column over a cache-sized run of records: the type is looked at once a column, not once a value. */
-async function* readFixedRecords(decoder: Decoder, stride: number): AsyncGenerator<PointChunk> {
-  const { cursor, buffer, vertex } = decoder;
-  let left = vertex.count;
-  while (left > 0) {
-    if (cursor.available < stride) await needBytes(decoder, stride);
-    const count = Math.min(left, buffer.free, Math.floor(cursor.available / stride));
-    decodeRecords(decoder, stride, count);
-    cursor.position += count * stride;
-    buffer.count += count;
-    left -= count;
-    if (buffer.free === 0 || left === 0) yield buffer.take();
-  }
-}
-
-function decodeRecords({ cursor, buffer, vertex, body }: Decoder, stride: number, count: number): void {
-  const { bytes, position } = cursor;
-  let offset = position;
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+function fixedRecords(decoder: Decoder, stride: number): RecordStream {
+  const { cursor, buffer, vertex, body } = decoder;
+  const fields: RecordField[] = [];
+  let offset = 0;
   vertex.properties.forEach(({ type }, index) => {
     const field = body.columns.indexOf(index);
-    const column = field < 0 ? undefined : buffer.column(field);
-    const from = { view, type, offset, stride, isLittleEndian: body.isLittleEndian };
-    if (column) decodeColumn(from, column, count);
-    offset += PLY_SIZES[type];
+    if (field >= 0) fields.push({ field, type: NUMBER_TYPE_OF[type], offset });
+    offset += valueBytes(type);
   });
+  const layout = { fields, stride, isLittleEndian: body.isLittleEndian };
+  return { cursor, layout, count: vertex.count, buffer, truncated: () => truncated(decoder) };
 }
-
-interface RawColumn {
-  readonly view: DataView;
-  readonly type: PlyType;
-  readonly offset: number;
-  readonly stride: number;
-  readonly isLittleEndian: boolean;
-}
-
-function decodeColumn(from: RawColumn, { into, first, step }: FieldColumn, count: number): void {
-  const { view, type, stride, isLittleEndian } = from;
-  let at = from.offset;
-  const end = first + step * count;
-  if (type === 'float') {
-    for (let to = first; to < end; to += step, at += stride) into[to] = view.getFloat32(at, isLittleEndian);
-  } else if (type === 'double') {
-    for (let to = first; to < end; to += step, at += stride) into[to] = view.getFloat64(at, isLittleEndian);
-  } else if (type === 'uchar') {
-    for (let to = first; to < end; to += step, at += stride) into[to] = view.getUint8(at);
-  } else {
-    const read = VALUE_READERS[type];
-    for (let to = first; to < end; to += step, at += stride) into[to] = read(view, at, isLittleEndian);
-  }
-}
-
-type ValueReader = (view: DataView, offset: number, isLittleEndian: boolean) => number;
-
-const VALUE_READERS: Readonly<Record<PlyType, ValueReader>> = {
-  char: (view, offset) => view.getInt8(offset),
-  uchar: (view, offset) => view.getUint8(offset),
-  short: (view, offset, isLittle) => view.getInt16(offset, isLittle),
-  ushort: (view, offset, isLittle) => view.getUint16(offset, isLittle),
-  int: (view, offset, isLittle) => view.getInt32(offset, isLittle),
-  uint: (view, offset, isLittle) => view.getUint32(offset, isLittle),
-  float: (view, offset, isLittle) => view.getFloat32(offset, isLittle),
-  double: (view, offset, isLittle) => view.getFloat64(offset, isLittle),
-};
 
 /** Vertices with lists among their properties: value by value, the lists passed over. */
 async function* readListRecords(decoder: Decoder): AsyncGenerator<PointChunk> {
@@ -133,8 +82,8 @@ async function* readListRecords(decoder: Decoder): AsyncGenerator<PointChunk> {
         await skipList(decoder, property, property.countType);
         continue;
       }
-      if (decoder.cursor.available < PLY_SIZES[property.type])
-        await needBytes(decoder, PLY_SIZES[property.type]);
+      if (decoder.cursor.available < valueBytes(property.type))
+        await needBytes(decoder, valueBytes(property.type));
       const value = takeValue(decoder, property.type);
       if (targets[index] >= 0) values[targets[index]] = value;
     }
@@ -150,14 +99,14 @@ async function skipElement(decoder: Decoder, element: PlyElement): Promise<void>
   for (let record = 0; record < element.count; record++) {
     for (const property of element.properties) {
       if (property.countType) await skipList(decoder, property, property.countType);
-      else await skipBytes(decoder, PLY_SIZES[property.type]);
+      else await skipBytes(decoder, valueBytes(property.type));
     }
   }
 }
 
 async function skipList(decoder: Decoder, { type }: PlyProperty, countType: PlyType): Promise<void> {
-  if (decoder.cursor.available < PLY_SIZES[countType]) await needBytes(decoder, PLY_SIZES[countType]);
-  const bytes = Math.max(0, takeValue(decoder, countType)) * PLY_SIZES[type];
+  if (decoder.cursor.available < valueBytes(countType)) await needBytes(decoder, valueBytes(countType));
+  const bytes = Math.max(0, takeValue(decoder, countType)) * valueBytes(type);
   if (decoder.cursor.available >= bytes) decoder.cursor.position += bytes;
   else await skipBytes(decoder, bytes);
 }
@@ -166,8 +115,8 @@ async function skipList(decoder: Decoder, { type }: PlyProperty, countType: PlyT
 function takeValue({ cursor, body }: Decoder, type: PlyType): number {
   const { bytes, position } = cursor;
   const view = new DataView(bytes.buffer, bytes.byteOffset + position);
-  cursor.position += PLY_SIZES[type];
-  return VALUE_READERS[type](view, 0, body.isLittleEndian);
+  cursor.position += valueBytes(type);
+  return NUMBER_READERS[NUMBER_TYPE_OF[type]](view, 0, body.isLittleEndian);
 }
 
 async function needBytes(decoder: Decoder, length: number): Promise<void> {

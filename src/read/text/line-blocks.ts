@@ -1,6 +1,6 @@
-import { FloorPlanError } from '../core/errors.ts';
-import { ByteCursor, joinBytes } from './byte-cursor.ts';
-import type { ByteSource } from './source.ts';
+import { FloorPlanError } from '../../core/errors.ts';
+import { ByteCursor, joinBytes } from '../bytes/byte-cursor.ts';
+import type { ByteSource } from '../bytes/source.ts';
 
 export const LINE_FEED = 10;
 export const CARRIAGE_RETURN = 13;
