@@ -5,8 +5,16 @@ import { resolveOptions } from '../../../src/core/options.ts';
 import type { ByteSource } from '../../../src/read/bytes/source.ts';
 import { READ_FORMAT_NAMES, READ_FORMATS } from '../../../src/read/formats.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
+import {
+  cartesianFields,
+  e57Bytes,
+  INDEX_PACKET,
+  integerField,
+  withChecksums,
+} from '../../unit/read/e57-bytes.ts';
 import { bytesOf, memorySource } from '../../unit/read/memory-source.ts';
 import { plyBytes } from '../../unit/read/ply-bytes.ts';
+import { ptxHeader } from '../../unit/read/ptx-text.ts';
 
 const OPTIONS = resolveOptions({ pointBudget: 1_000 });
 const records = Array.from({ length: 20 }, (_, i) => [i % 5, [i, i], (i * 7) % 11, (i * 3) % 13, i, i, i]);
@@ -17,6 +25,21 @@ const properties = [
 ] as const;
 const vertex = { name: 'vertex', properties, records };
 
+const places = records.map(([x, , y, z]) => [x, y, z] as number[]);
+const e57Scan = {
+  fields: [
+    ...cartesianFields(places),
+    integerField(
+      'intensity',
+      0,
+      9,
+      places.map(([x]) => x),
+    ),
+  ],
+  xml: '<pose type="Structure"><translation type="Structure"><x type="Float">1</x></translation></pose>',
+};
+const rowsOf = (end: string) => places.map((place) => `${place.join(' ')} 0.5\n`).join('') + end;
+
 /** Whole files whose bytes are then spoilt. */
 const GOOD = [
   plyBytes([vertex], { format: 'ascii' }),
@@ -24,6 +47,9 @@ const GOOD = [
   plyBytes([{ ...vertex, name: 'face' }, vertex], { format: 'binary_big_endian' }),
   bytesOf(`x,y,z,r,g,b\n${records.map(([x, , y, z]) => [x, y, z, 1, 2, 3].join()).join('\n')}`),
   bytesOf(records.map(([x, , y]) => `${x},5 ${y},25\r`).join('')),
+  e57Bytes([e57Scan, e57Scan], { packets: 2, between: [INDEX_PACKET] }),
+  bytesOf(ptxHeader(4, 5) + rowsOf(ptxHeader(2, 10)) + rowsOf('')),
+  bytesOf(`20\n${rowsOf('20\n')}${rowsOf('')}`),
 ];
 
 const spoilt = fc
@@ -42,8 +68,12 @@ const spoilt = fc
     return bytes;
   });
 
+/** Damage behind a right checksum. */
+const summed = spoilt.map((bytes) => (bytes[0] === 0x41 ? withChecksums(bytes) : bytes));
+
 const hostile = fc.oneof(
   spoilt,
+  summed,
   fc.uint8Array({ maxLength: 400 }),
   fc.string({ unit: fc.constantFrom(...'0123456789.,;-+e" \t\r\n#%/nainfxyz'), maxLength: 200 }).map(bytesOf),
 );
