@@ -39,14 +39,14 @@ export function e57Bytes(scans: readonly E57ScanContent[], style: E57Style = {})
   const parts: number[] = new Array<number>(48).fill(0);
   const children = scans.map((scan) => {
     const offset = physical(parts.length);
-    parts.push(...section(scan, parts.length, style));
+    append(parts, section(scan, parts.length, style));
     return scanXml(scan, offset);
   });
   const xmlAt = physical(parts.length);
   const xml = bytesOf(
     `<?xml version="1.0" encoding="UTF-8"?>\n<e57Root type="Structure" xmlns="http://www.astm.org/COMMIT/E57/2010-e57-v1.0">${style.xml ?? ''}<data3D type="Vector">${children.join('')}</data3D></e57Root>\n`,
   );
-  parts.push(...xml);
+  append(parts, xml);
   const pages = Math.ceil(parts.length / PAYLOAD);
   parts.splice(0, 48, ...header(1024 * pages, xmlAt, xml.length));
   return paged(Uint8Array.from(parts));
@@ -121,7 +121,8 @@ function section(
       const at = (share: number) => Math.round(stream.length * share ** (1 + i / 4));
       return stream.subarray(at(packet / packets), at((packet + 1) / packets));
     });
-    body.push(...between.flatMap((bytes) => [...bytes]), ...dataPacket(cuts));
+    for (const other of between) append(body, other);
+    append(body, dataPacket(cuts));
   }
   const head = new Uint8Array(32);
   const view = new DataView(head.buffer);
@@ -134,11 +135,16 @@ function section(
 function dataPacket(streams: readonly Uint8Array[]): number[] {
   const sizes = streams.flatMap(({ length }) => [length & 255, length >> 8]);
   const bytes = [1, 0, 0, 0, streams.length & 255, streams.length >> 8, ...sizes];
-  for (const stream of streams) bytes.push(...stream);
+  for (const stream of streams) append(bytes, stream);
   while (bytes.length % 4 > 0) bytes.push(0);
   bytes[2] = (bytes.length - 1) & 255;
   bytes[3] = (bytes.length - 1) >> 8;
   return bytes;
+}
+
+/** Too many arguments for `push` overflow the stack. */
+function append(bytes: number[], more: ArrayLike<number>): void {
+  for (let i = 0; i < more.length; i++) bytes.push(more[i]);
 }
 
 function pack({ values, bits, isFloat = false }: E57Field): Uint8Array {
