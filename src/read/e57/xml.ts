@@ -25,6 +25,8 @@ interface OpenElement {
 
 /** Elements within one another: E57 needs fewer than ten. */
 const MOST_DEPTH = 64;
+/** Five thousand scans; a text of nothing but tags would fill the memory. */
+const MOST_TAGS = 1 << 20;
 const NAME = /[^\s/>=<]+/y;
 const ATTRIBUTE = /\s+([^\s=/><"']+)\s*=\s*(?:"([^"<]*)"|'([^'<]*)')/y;
 const TAG_END = /\s*(\/?)>/y;
@@ -43,9 +45,11 @@ export function parseXml(text: string): XmlElement {
   const document: OpenElement = { name: '', attributes: new Map(), children: [], text: '' };
   const open = [document];
   let at = 0;
+  let tags = 0;
   while (at < text.length) {
     const top = open[open.length - 1];
     const begin = indexOrEnd(text, '<', at);
+    if (++tags > MOST_TAGS) throw new XmlError(`at most ${MOST_TAGS} tags`, at);
     top.text += decodeEntities(text.slice(at, begin), at);
     if (begin === text.length) break;
     at = readMarkup(text, begin, open);

@@ -44,7 +44,7 @@ export function e57Bytes(scans: readonly E57ScanContent[], style: E57Style = {})
   });
   const xmlAt = physical(parts.length);
   const xml = bytesOf(
-    `<?xml version="1.0" encoding="UTF-8"?>\n<e57Root type="Structure" xmlns="http://www.astm.org/COMMIT/E57/2010-e57-v1.0">${style.xml ?? ''}<data3D type="Vector">${children.join('')}</data3D></e57Root>\n`,
+    `<?xml version="1.0" encoding="UTF-8"?>\n<e57Root type="Structure" xmlns="http://www.astm.org/COMMIT/E57/2010-e57-v1.0">${style.xml ?? ''}<data3D type="Vector" allowHeterogeneousChildren="1">${children.join('')}</data3D></e57Root>\n`,
   );
   append(parts, xml);
   const pages = Math.ceil(parts.length / PAYLOAD);
@@ -105,7 +105,7 @@ function header(fileBytes: number, xmlAt: number, xmlBytes: number): Uint8Array 
 function scanXml({ fields, xml = '', recordCount }: E57ScanContent, offset: number): string {
   const prototype = fields.map(({ name, prototype: type }) => `<${name} ${type}/>`).join('');
   const count = recordCount ?? fields[0]?.values.length ?? 0;
-  return `<vectorChild type="Structure">${xml}<points type="CompressedVector" fileOffset="${offset}" recordCount="${count}"><prototype type="Structure">${prototype}</prototype><codecs type="Vector"></codecs></points></vectorChild>`;
+  return `<vectorChild type="Structure">${xml}<points type="CompressedVector" fileOffset="${offset}" recordCount="${count}"><prototype type="Structure">${prototype}</prototype><codecs type="Vector" allowHeterogeneousChildren="1"></codecs></points></vectorChild>`;
 }
 
 function section(

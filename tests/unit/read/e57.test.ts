@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { nodeSource } from '../../../src/cli/node-source.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
 import { crc32c } from '../../../src/read/e57/crc32c.ts';
-import { parseXml } from '../../../src/read/e57/xml.ts';
+import { parseXml, XmlError } from '../../../src/read/e57/xml.ts';
 import { openCloud } from '../../../src/read/formats.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
 import {
@@ -370,7 +370,11 @@ describe('XML', () => {
     '<a>'.repeat(100),
     '< a/>',
   ])('refuses %j', (text) => {
-    expect(() => parseXml(text)).toThrow();
+    expect(() => parseXml(text)).toThrow(XmlError);
+  });
+
+  it('refuses more elements than memory should hold', () => {
+    expect(() => parseXml(`<a>${'<b/>'.repeat(2 ** 20)}</a>`)).toThrow('at most');
   });
 });
 
