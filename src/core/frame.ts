@@ -93,6 +93,7 @@ function uprightCloud({ scan, patches, gravity, unit, tilted }: Upright): PointC
     frame,
     positions,
     attributes: scan.attributes,
+    stations: stationsInPlan(scan, frame),
     floor: heightOf(floor),
     ceiling: heightOf(ceiling),
     reasons: { unit: unit.reason, up: gravity.reason },
@@ -146,6 +147,7 @@ function levelCloud(scan: Scan, up: Axis, unit: JudgedUnit, reason: string): Poi
     frame,
     positions: toPlan(scan, frame),
     attributes: scan.attributes,
+    stations: stationsInPlan(scan, frame),
     floor: null,
     ceiling: null,
     reasons: { unit: unit.reason, up: reason },
@@ -228,6 +230,13 @@ function toPlan({ positions, origin }: Scan, frame: Frame): Float32Array {
     plan[i + 2] = r[6] * x + r[7] * y + r[8] * z;
   }
   return plan;
+}
+
+function stationsInPlan({ stations }: Scan, { origin, rotation, metresPerUnit: scale }: Frame): Vec3[] {
+  return stations.map((station) => {
+    const [x, y, z] = station.map((value, k) => scale * (value - origin[k]));
+    return rotate(rotation, [x, y, z]);
+  });
 }
 
 /** Mean of the points, source coordinates. */

@@ -90,6 +90,8 @@ export interface PointCloud {
   readonly frame: Frame;
   readonly positions: Float32Array;
   readonly attributes: PointAttributes;
+  /** Where each scanner stood, by `attributes.station`; metres, plan frame, relative to `frame.origin`. */
+  readonly stations: readonly Vec3[];
   /** Heights of the floor and ceiling planes, m; null where none was found. */
   readonly floor: number | null;
   readonly ceiling: number | null;

@@ -1,6 +1,9 @@
 import { FloorPlanError } from '../core/errors.ts';
 import type { ReadFormat } from './cloud-reader.ts';
+import { E57_FORMAT } from './e57/e57.ts';
 import { PLY_FORMAT } from './ply/ply.ts';
+import { PTS_FORMAT } from './pts/pts.ts';
+import { PTX_FORMAT } from './ptx/ptx.ts';
 import { isText, recogniseForeign } from './signatures.ts';
 import { CSV_FORMAT } from './text/csv.ts';
 
@@ -10,6 +13,9 @@ import { CSV_FORMAT } from './text/csv.ts';
  */
 export const READ_FORMATS = {
   ply: PLY_FORMAT,
+  e57: E57_FORMAT,
+  ptx: PTX_FORMAT,
+  pts: PTS_FORMAT,
   csv: CSV_FORMAT,
 } as const satisfies Record<string, ReadFormat>;
 
@@ -25,17 +31,23 @@ export const ARCHIVES = {
 
 export type ReadFormatName = keyof typeof READ_FORMATS;
 
+const TEXT_FORMATS = ['ptx', 'pts', 'csv'] as const satisfies readonly ReadFormatName[];
+
 export const READ_FORMAT_NAMES = Object.keys(READ_FORMATS) as readonly ReadFormatName[];
 
 /** The format of a source, by content first and by extension second.
  *
- *@param head the first bytes, up to 64 KiB @throws input/unknown-format */
+ * @param head the first bytes, up to 64 KiB @throws input/unknown-format */
 export function detectFormat(head: Uint8Array, name: string): ReadFormatName {
   const byContent = READ_FORMAT_NAMES.find((format) => READ_FORMATS[format].detect(head));
+  // Any rows of numbers are a table: a damaged PTX too, headers and all.
+  const isPlain = byContent === 'csv' || byContent === 'pts';
+  if (isPlain && isNamedAs('ptx', name)) return 'ptx';
   if (byContent) return byContent;
   const foreign = recogniseForeign(head);
   // A text that is no sure table: its reader can say where it goes wrong.
-  if (!foreign && isText(head) && isNamedAs('csv', name)) return 'csv';
+  const text = TEXT_FORMATS.find((format) => isNamedAs(format, name));
+  if (text && !foreign && isText(head)) return text;
   const named = READ_FORMAT_NAMES.find((format) => isNamedAs(format, name));
   const expected = named ? `a ${READ_FORMATS[named].label} file` : labels();
   const found = foreign ?? (isText(head) ? 'text that is no table of points' : 'bytes of no known kind');

@@ -1,7 +1,7 @@
 import type { PointChunk } from './cloud-reader.ts';
 
 /** Points handed on at once: some hundred kilobytes, so they stay in cache from decoding to thinning. */
-const CHUNK_POINTS = 1 << 15;
+export const CHUNK_POINTS = 1 << 15;
 
 /** The values a point may have, in the order readers number them. */
 export const FIELDS = ['x', 'y', 'z', 'red', 'green', 'blue', 'intensity', 'classification'] as const;
@@ -77,6 +77,16 @@ export class PointBuffer {
     this.count++;
   }
 
+  /** Drops those of the points from `first` on whose mark is not 0; `marks[0]` is the first one's. */
+  dropMarked(first: number, marks: Float64Array): void {
+    const { count } = this;
+    const kept = closeRanks(this.xyz, 3, { first, count }, marks);
+    this.#values.forEach((values, field) => {
+      closeRanks(values, field === RED ? 3 : 1, { first, count }, marks);
+    });
+    this.count = kept;
+  }
+
   /** The points so far, as a chunk whose arrays are used again. */
   take(): PointChunk {
     const count = this.count;
@@ -116,6 +126,22 @@ function colourScale(values: Float64Array, length: number, range: ColourRange): 
   }
   if (largest > 255) return 255 / 65535;
   return largest <= 1 && hasFraction ? 255 : 1;
+}
+
+/** Moves the values of unmarked points, `width` each, together, and returns where they end. */
+function closeRanks(
+  values: Float64Array,
+  width: number,
+  { first, count }: { readonly first: number; readonly count: number },
+  marks: Float64Array,
+): number {
+  let to = first;
+  for (let from = first; from < count; from++) {
+    if (marks[from - first] !== 0) continue;
+    for (let i = 0; i < width; i++) values[width * to + i] = values[width * from + i];
+    to++;
+  }
+  return to;
 }
 
 function copyBytes(from: Float64Array, to: Uint8Array, count: number): void {

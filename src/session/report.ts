@@ -16,6 +16,8 @@ export interface Report {
     readonly unit: Unit;
     /** Source axes, units and coordinates. */
     readonly bounds: { readonly min: readonly number[]; readonly max: readonly number[] };
+    /** Where each scanner stood, like the bounds; empty where the file does not tell. */
+    readonly stations: readonly (readonly number[])[];
   };
   readonly levels: readonly {
     readonly low: number;
@@ -51,7 +53,17 @@ export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: nu
   const { up, unit } = frame.frame;
   return {
     version: 1,
-    input: { name, format, bytes, pointsRead, pointsKept, up, unit, bounds: read.bounds },
+    input: {
+      name,
+      format,
+      bytes,
+      pointsRead,
+      pointsKept,
+      up,
+      unit,
+      bounds: read.bounds,
+      stations: read.stations,
+    },
     levels: level.levels,
     boundary: {
       method: boundary.method,

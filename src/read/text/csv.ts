@@ -3,6 +3,7 @@ import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, ReadFormat } from '../cloud-reader.ts';
 import { HEAD_BYTES, isText, recogniseForeign } from '../signatures.ts';
 import { layOutCsv } from './csv-layout.ts';
+import { wholeLines } from './line-blocks.ts';
 import { readTextPoints } from './text-points.ts';
 
 /** Looked at where the first 64 KiB hold nothing but comments or very long rows. */
@@ -10,7 +11,7 @@ const LONG_HEAD_BYTES = 1 << 20;
 
 export const CSV_FORMAT: ReadFormat = {
   label: 'Text table',
-  extensions: ['csv', 'txt', 'xyz', 'tsv', 'asc', 'pts'],
+  extensions: ['csv', 'txt', 'xyz', 'tsv', 'asc'],
   doc: 'One point a line; comma, semicolon, tab or blanks; columns by name or position. Two columns are a ready slice.',
   detect: (head) =>
     isText(head) && recogniseForeign(head) === null && (layOutCsv(wholeLines(head))?.isSure ?? false),
@@ -34,13 +35,6 @@ async function openCsv(source: ByteSource): Promise<OpenCloud> {
     chunks: (progress) => readTextPoints(source, { layout, begin, line: layout.line }, progress),
     warnings: [],
   };
-}
-
-/** Without a last line that the end of the head cuts through. */
-function wholeLines(head: Uint8Array, limit = HEAD_BYTES): Uint8Array {
-  if (head.length < limit) return head;
-  const end = Math.max(head.lastIndexOf(10), head.lastIndexOf(13));
-  return end < 0 ? head : head.subarray(0, end + 1);
 }
 
 function noTable({ name }: ByteSource, head: Uint8Array): FloorPlanError {

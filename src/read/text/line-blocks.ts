@@ -1,6 +1,7 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import { ByteCursor, joinBytes } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { HEAD_BYTES } from '../signatures.ts';
 
 export const LINE_FEED = 10;
 export const CARRIAGE_RETURN = 13;
@@ -72,4 +73,11 @@ export function* splitLines(bytes: Uint8Array): Generator<readonly [begin: numbe
     yield [begin, end];
     begin = bytes[end] === CARRIAGE_RETURN && bytes[end + 1] === LINE_FEED ? end + 2 : end + 1;
   }
+}
+
+/** The first bytes of a file without a last line that their end cuts through. */
+export function wholeLines(head: Uint8Array, limit = HEAD_BYTES): Uint8Array {
+  if (head.length < limit) return head;
+  const end = Math.max(head.lastIndexOf(LINE_FEED), head.lastIndexOf(CARRIAGE_RETURN));
+  return end < 0 ? head : head.subarray(0, end + 1);
 }

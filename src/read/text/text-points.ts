@@ -50,7 +50,7 @@ export async function* readTextPoints(
   if (left > 0 && left < Number.POSITIVE_INFINITY) throw tooFewRows(source.name, rows, rows - left);
 }
 
-function tooFewRows(name: string, announced: number, found: number): FloorPlanError {
+export function tooFewRows(name: string, announced: number, found: number): FloorPlanError {
   return new FloorPlanError(
     'input/truncated',
     `${name}: expected ${countOf(announced, 'point')} as the header says, found ${found} before the end of the file`,

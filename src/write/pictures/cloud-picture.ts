@@ -3,11 +3,14 @@ import type { StageResults } from '../../core/stage-results.ts';
 import type { PointCloud } from '../../core/types.ts';
 import { dots } from './marks.ts';
 import { countOf, type Drawing, type LegendEntry } from './page.ts';
-import { heightColour, INK, OKABE_ITO } from './palette.ts';
+import { heightColour, INK, OKABE_ITO, PAPER } from './palette.ts';
 import { boundsOfAll, sampler, shownShare, topView } from './top-view.ts';
 
 const POINT = 1.8;
 const STRAY = 1.6;
+/** A scanner's mark and the paper around it, px. */
+const SCANNER = 6;
+const SCANNER_HALO = 9;
 /** Steps of the height's colour: finer ones no eye tells apart in dots. */
 const COLOURS = 24;
 /** Points this near the ceiling plane, m, would hide everything beneath them. */
@@ -16,7 +19,7 @@ const CEILING_DEPTH = 0.15;
 const NAMED = [0, 0.25, 0.5, 0.75, 1];
 const [, VERMILION] = OKABE_ITO;
 
-/** Fig. 1a: the upright cloud seen from above, coloured by height, without its ceiling; outliers beneath it. */
+/** Fig. 1a: the upright cloud seen from above, coloured by height, without its ceiling; outliers beneath it, scanners on it. */
 export function drawCloud({ frame: cloud, outliers: kept }: Partial<StageResults>): Drawing | null {
   if (cloud === undefined || cloud.positions.length === 0) return null;
   const total = cloud.positions.length / 3;
@@ -28,10 +31,11 @@ export function drawCloud({ frame: cloud, outliers: kept }: Partial<StageResults
     band.length === 0 ? [] : [dots(view.map(band), { colour: colourOf(i), size: POINT })],
   );
   const beneath = strays.length === 0 ? [] : [dots(view.map(strays), { colour: VERMILION, size: STRAY })];
+  const scanners = within(Float64Array.from(cloud.stations.flatMap((station) => station.slice(0, 2))), bands);
   return {
     height: view.height,
     pixelsPerMetre: view.pixelsPerMetre,
-    items: [...beneath, ...drawn],
+    items: [...beneath, ...drawn, ...scannerMarks(view.map(scanners))],
     counts: [
       countOf(total, 'point'),
       ...(kept === undefined ? [] : [countOf(total - kept.length, 'outlier')]),
@@ -40,8 +44,14 @@ export function drawCloud({ frame: cloud, outliers: kept }: Partial<StageResults
     legend: [
       ...(cloud.isFlat ? [] : heightLegend(range)),
       ...(strays.length === 0 ? [] : [{ colour: VERMILION, label: 'Outlier' }]),
+      ...(scanners.length === 0 ? [] : [{ colour: INK, label: 'Scanner' }]),
     ],
   };
+}
+
+function scannerMarks(xy: Float64Array): string[] {
+  if (xy.length === 0) return [];
+  return [dots(xy, { colour: PAPER, size: SCANNER_HALO }), dots(xy, { colour: INK, size: SCANNER })];
 }
 
 /** Heights drawn, m, in the plan frame. */
@@ -87,7 +97,7 @@ function sortByHeight(
   return { bands: shown, strays: within(Float64Array.from(strays), shown) };
 }
 
-/** Those of the points that lie in the box around the bands: far strays would make the picture of the cloud small. */
+/** Those of the points that lie in the box around the bands: far ones would make the picture of the cloud small. */
 function within(xy: Float64Array, bands: readonly Float64Array[]): Float64Array {
   const { minX, minY, maxX, maxY } = boundsOfAll(bands);
   const inside: number[] = [];

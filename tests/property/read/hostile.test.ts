@@ -6,8 +6,16 @@ import { resolveOptions } from '../../../src/core/options.ts';
 import type { ByteSource } from '../../../src/read/bytes/source.ts';
 import { READ_FORMAT_NAMES, READ_FORMATS } from '../../../src/read/formats.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
+import {
+  cartesianFields,
+  e57Bytes,
+  INDEX_PACKET,
+  integerField,
+  withChecksums,
+} from '../../unit/read/e57-bytes.ts';
 import { bytesOf, memorySource } from '../../unit/read/memory-source.ts';
 import { plyBytes } from '../../unit/read/ply-bytes.ts';
+import { ptxHeader } from '../../unit/read/ptx-text.ts';
 
 const OPTIONS = resolveOptions({ pointBudget: 1_000 });
 const records = Array.from({ length: 20 }, (_, i) => [i % 5, [i, i], (i * 7) % 11, (i * 3) % 13, i, i, i]);
@@ -18,6 +26,21 @@ const properties = [
 ] as const;
 const vertex = { name: 'vertex', properties, records };
 
+const places = records.map(([x, , y, z]) => [x, y, z] as number[]);
+const e57Scan = {
+  fields: [
+    ...cartesianFields(places),
+    integerField(
+      'intensity',
+      0,
+      9,
+      places.map(([x]) => x),
+    ),
+  ],
+  xml: '<pose type="Structure"><translation type="Structure"><x type="Float">1</x></translation></pose>',
+};
+const rowsOf = (end: string) => places.map((place) => `${place.join(' ')} 0.5\n`).join('') + end;
+
 /** Whole files whose bytes are then spoilt. */
 const GOOD = [
   plyBytes([vertex], { format: 'ascii' }),
@@ -27,6 +50,9 @@ const GOOD = [
   bytesOf(records.map(([x, , y]) => `${x},5 ${y},25\r`).join('')),
   gzipSync(bytesOf('x,y,z\n1,2,3\n4,5,6\n7,8,10\n')),
   zipSync({ 'a.xyz': bytesOf('1 2 3\n4 5 6\n'), b: [bytesOf('7,8,10\n9,9,9\n'), { level: 0 }] }),
+  e57Bytes([e57Scan, e57Scan], { packets: 2, between: [INDEX_PACKET] }),
+  bytesOf(ptxHeader(4, 5) + rowsOf(ptxHeader(2, 10)) + rowsOf('')),
+  bytesOf(`20\n${rowsOf('20\n')}${rowsOf('')}`),
 ];
 
 const spoilt = fc
@@ -45,8 +71,12 @@ const spoilt = fc
     return bytes;
   });
 
+/** Damage behind a right checksum. */
+const summed = spoilt.map((bytes) => (bytes[0] === 0x41 ? withChecksums(bytes) : bytes));
+
 const hostile = fc.oneof(
   spoilt,
+  summed,
   fc.uint8Array({ maxLength: 400 }),
   fc.string({ unit: fc.constantFrom(...'0123456789.,;-+e" \t\r\n#%/nainfxyz'), maxLength: 200 }).map(bytesOf),
 );

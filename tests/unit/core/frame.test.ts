@@ -193,6 +193,24 @@ describe('unit', () => {
     expect(run(makeScan(ROOM, { unit: 'us-ft' }), { unit: 'cm' }).cloud.frame.metresPerUnit).toBe(0.01);
   });
 
+  test('scanners stand where their points do, with whatever unit, axes and tilt', () => {
+    const seen = [1.5, 2, 1.25];
+    const offset = [5e6, 100, -7e5] as const;
+    const yUp = [1, 0, 0, 0, 0, 1, 0, -1, 0];
+    const place = (points: ArrayLike<number>) =>
+      transform(transform(points, tiltMatrix(0.06, 0.7)), yUp).map(
+        (value, i) => 1000 * value + offset[i % 3],
+      );
+    const scan = makeScan(place([...ROOM, ...seen]), { origin: offset, unit: 'mm' });
+    const [x, y, z] = place(seen);
+    const { cloud, codes } = run({ ...scan, stations: [[x, y, z]] });
+    const point = cloud.positions.subarray(-3);
+    cloud.stations[0].forEach((value, axis) => {
+      expect(value).toBeCloseTo(point[axis], 5);
+    });
+    expect([cloud.frame.up, codes]).toEqual(['y', ['frame/levelled']]);
+  });
+
   test('UTM coordinates come back to the millimetre', () => {
     const origin = [691_234, 5_334_567, 519] as const;
     const utm = ROOM.map((value, i) => value + origin[i % 3] + 0.125);

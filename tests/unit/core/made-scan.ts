@@ -111,6 +111,7 @@ export function makeCloud(points: ArrayLike<number>, extra: Partial<PointCloud> 
     },
     positions: Float32Array.from(points),
     attributes: {},
+    stations: [],
     floor: null,
     ceiling: null,
     reasons: { unit: '', up: '' },

@@ -1,5 +1,5 @@
 import type { ByteSource } from '../../../src/read/bytes/source.ts';
-import type { PointChunk } from '../../../src/read/cloud-reader.ts';
+import type { OpenCloud, PointChunk } from '../../../src/read/cloud-reader.ts';
 import { openScan } from '../../../src/read/open-scan.ts';
 
 export const bytesOf = (text: string) => new TextEncoder().encode(text);
@@ -32,15 +32,27 @@ export interface AllPoints {
   readonly colour: number[][] | undefined;
   readonly intensity: number[] | undefined;
   readonly classification: number[] | undefined;
+  readonly station: number[] | undefined;
 }
 
 /** Everything a reader finds, as plain arrays. */
 export async function readAll(source: ByteSource): Promise<AllPoints> {
   const { cloud } = await openScan([source]);
+  return readPoints(cloud);
+}
+
+/** The points with the cloud they come from. */
+export async function readWhole(source: ByteSource): Promise<AllPoints & { readonly cloud: OpenCloud }> {
+  const { cloud } = await openScan([source]);
+  return { ...(await readPoints(cloud)), cloud };
+}
+
+async function readPoints(cloud: OpenCloud): Promise<AllPoints> {
   const xyz: number[][] = [];
   const colour: number[][] = [];
   const intensity: number[] = [];
   const classification: number[] = [];
+  const station: number[] = [];
   let last: PointChunk | undefined;
   for await (const chunk of cloud.chunks(() => {}, 0)) {
     last = chunk;
@@ -49,6 +61,7 @@ export async function readAll(source: ByteSource): Promise<AllPoints> {
       if (chunk.colour) colour.push([...chunk.colour.subarray(3 * i, 3 * i + 3)]);
       if (chunk.intensity) intensity.push(chunk.intensity[i]);
       if (chunk.classification) classification.push(chunk.classification[i]);
+      if (chunk.station) station.push(chunk.station[i]);
     }
   }
   return {
@@ -57,5 +70,6 @@ export async function readAll(source: ByteSource): Promise<AllPoints> {
     colour: last?.colour && colour,
     intensity: last?.intensity && intensity,
     classification: last?.classification && classification,
+    station: last?.station && station,
   };
 }

@@ -80,6 +80,16 @@ test('a scan has its levels', () => {
   expect(drawn(home.evidence).slice(0, 4)).toEqual(['cloud', 'levels', 'slice', 'hull']);
 });
 
+test('the cloud shows where its scanners stood, unless that is far away', () => {
+  const { frame } = home.evidence;
+  const withStations = (stations: [number, number, number][]) =>
+    drawPicture('cloud', { ...home.evidence, frame: { ...frame!, stations } })!;
+  const { positions } = frame!;
+  const near: [number, number, number] = [positions[0], positions[1], 1.5];
+  expect(withStations([near])).toContain('Scanner');
+  expect(withStations([[1e4, 0, 0]])).not.toContain('Scanner');
+});
+
 test('whether there is a picture is known without drawing it', async () => {
   const failed = await runSlice('room-2', { boundary: 'alpha-shape', alpha: 0.001 });
   for (const { evidence } of [hallway, room, home, failed]) {
