@@ -14,7 +14,8 @@ const external = [
 /** What the built page may do: run and show its own files, and fetch the scan a person names. */
 const policy = [
   "default-src 'none'",
-  "script-src 'self'",
+  // WebAssembly decompresses LAZ.
+  "script-src 'self' 'wasm-unsafe-eval'",
   "style-src 'self'",
   "img-src 'self' data: blob:",
   "worker-src 'self' blob:",

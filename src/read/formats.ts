@@ -1,6 +1,7 @@
 import { FloorPlanError } from '../core/errors.ts';
 import type { ByteSource } from './bytes/source.ts';
 import type { OpenCloud, ReadFormat } from './cloud-reader.ts';
+import { COPC_FORMAT, LAS_FORMAT, LAZ_FORMAT } from './las/las.ts';
 import { PLY_FORMAT } from './ply/ply.ts';
 import { HEAD_BYTES, isText, recogniseForeign } from './signatures.ts';
 import { CSV_FORMAT } from './text/csv.ts';
@@ -11,6 +12,9 @@ import { CSV_FORMAT } from './text/csv.ts';
  */
 export const READ_FORMATS = {
   ply: PLY_FORMAT,
+  las: LAS_FORMAT,
+  copc: COPC_FORMAT,
+  laz: LAZ_FORMAT,
   csv: CSV_FORMAT,
 } as const satisfies Record<string, ReadFormat>;
 

@@ -23,7 +23,6 @@ const SIGNATURES: readonly Signature[] = [
   { what: 'a 7-Zip archive', magic: "7z\xbc\xaf'\x1c" },
   { what: 'a RAR archive', magic: 'Rar!' },
   { what: 'a Zstandard archive', magic: '\x28\xb5\x2f\xfd' },
-  { what: 'a LAS or LAZ point cloud', magic: 'LASF' },
   { what: 'an E57 point cloud', magic: 'ASTM-E57' },
   { what: 'a PCD point cloud', magic: '# .PCD' },
   { what: 'a PCD point cloud', magic: 'VERSION .7' },
