@@ -55,9 +55,21 @@ export interface LevelRow extends RowFacts<LevelChoice> {
 export interface DoorsRow extends RowFacts<string> {
   readonly kind: 'doors';
 }
+/** `all`, or class codes and ranges of them separated by commas; `parseClasses` reads it. */
+export interface ClassesRow extends RowFacts<string> {
+  readonly kind: 'classes';
+}
 export type LevelChoice = 'auto' | '0' | '1' | '2' | `${number}:${number}`;
 
-export type ParamRow = NumberRow | AutoNumberRow | FlagRow | ChoiceRow | ChoiceListRow | LevelRow | DoorsRow;
+export type ParamRow =
+  | NumberRow
+  | AutoNumberRow
+  | FlagRow
+  | ChoiceRow
+  | ChoiceListRow
+  | LevelRow
+  | DoorsRow
+  | ClassesRow;
 
 const px = (value: number): Pixels => ({ px: value, power: 1 });
 const px2 = (value: number): Pixels => ({ px: value, power: 2 });
@@ -80,6 +92,7 @@ const choiceList = <const C extends string>(
 ): ChoiceListRow<C> => ({ kind: 'choice-list', choices, ...row });
 const level = (row: Omit<LevelRow, 'kind'>): LevelRow => ({ kind: 'level', ...row });
 const doors = (row: Omit<DoorsRow, 'kind'>): DoorsRow => ({ kind: 'doors', ...row });
+const classes = (row: Omit<ClassesRow, 'kind'>): ClassesRow => ({ kind: 'classes', ...row });
 
 /**
  * Every number a person may set: options, ranges, controls, attributes, flags and docs are made from this table,
@@ -114,6 +127,14 @@ export const PARAMS = {
     stage: 'read',
     label: 'Point budget',
     doc: 'At most this many points are kept; past it the thinning coarsens.',
+    source: 'ours',
+    advanced: true,
+  }),
+  classes: classes({
+    default: 'all',
+    stage: 'read',
+    label: 'Classes',
+    doc: 'Class codes of the points to keep, where the file has classes: 2,6 or 1-6; all keeps every point.',
     source: 'ours',
     advanced: true,
   }),

@@ -9,6 +9,7 @@ const WIDTHS = { xyz: 3, colour: 3, intensity: 1, classification: 1, station: 1 
 export class ClassFilter {
   readonly #isKept: Uint8Array;
   readonly #seen = new Uint8Array(CLASS_CODES);
+  #places = new Uint32Array(0);
   #hasClasses = false;
   #kept = 0;
 
@@ -21,17 +22,28 @@ export class ClassFilter {
   apply(chunk: PointChunk): PointChunk {
     const { classification } = chunk;
     this.#hasClasses ||= classification !== undefined;
-    let count = 0;
-    for (let i = 0; classification && i < chunk.count; i++) {
-      this.#seen[classification[i]] = 1;
-      if (this.#isKept[classification[i]] === 1) movePoint(chunk, i, count++);
-    }
-    const kept = classification ? { ...chunk, count } : chunk;
+    const kept = classification ? this.#choose(chunk, classification) : chunk;
     this.#kept += kept.count;
     return kept;
   }
 
-  /** What to tell, where the filter is of no use to this cloud. */
+  #choose(chunk: PointChunk, classification: Uint8Array): PointChunk {
+    if (this.#places.length < chunk.count) this.#places = new Uint32Array(chunk.count);
+    const places = this.#places;
+    let count = 0;
+    for (let i = 0; i < chunk.count; i++) {
+      const code = classification[i];
+      this.#seen[code] = 1;
+      if (this.#isKept[code] === 1) places[count++] = i;
+    }
+    if (count < chunk.count) {
+      for (const name of Object.keys(WIDTHS) as (keyof typeof WIDTHS)[])
+        closeRanks(chunk[name], WIDTHS[name], places, count);
+    }
+    return { ...chunk, count };
+  }
+
+  /** What to tell where the filter is of no use to the cloud that was read; null where it is. */
   get objection(): Warning | null {
     if (this.#kept > 0 && this.#hasClasses) return null;
     const found = Array.from(this.#seen.keys()).filter((code) => this.#seen[code] === 1);
@@ -45,10 +57,14 @@ export class ClassFilter {
   }
 }
 
-function movePoint(chunk: PointChunk, from: number, to: number): void {
-  if (from === to) return;
-  for (const name of Object.keys(WIDTHS) as (keyof typeof WIDTHS)[]) {
-    const width = WIDTHS[name];
-    chunk[name]?.copyWithin(width * to, width * from, width * (from + 1));
-  }
+/** Places rise, so that no value is written over before it has moved. */
+function closeRanks(
+  values: PointChunk['xyz' | 'colour' | 'intensity' | 'station'],
+  width: number,
+  places: Uint32Array,
+  count: number,
+): void {
+  if (!values) return;
+  for (let i = 0; i < count; i++)
+    for (let k = 0; k < width; k++) values[width * i + k] = values[width * places[i] + k];
 }

@@ -63,14 +63,17 @@ function strangePlace(
   crs: string | undefined,
 ): Place {
   const { min, max } = bounds;
-  const corners = [min[0], max[0], min[1], max[1]];
-  const areDegrees = corners.every((value, i) => Math.abs(value) <= (i < 2 ? 360 : 90));
+  const isNear = (low: number, high: number) => high - low <= MOST_DEGREES;
+  const areDegrees =
+    isNear(min[0], max[0]) && isNear(min[1], max[1]) && Math.abs(max[0]) <= 360 && Math.abs(max[1]) <= 90;
   const areFromCentre = Math.hypot(...max.map((value, i) => (value + min[i]) / 2)) > NEAR_CENTRE;
   if (kind === 'geographic' ? areDegrees : areFromCentre) throw noPlan(name, kind, crs, bounds);
   const message = `The file says that its coordinates are ${KIND_WORDS[kind]}; they lie elsewhere, and the label was passed over.`;
   return { heightRatio: 1, warnings: [{ code: 'read/crs-ignored', message }] };
 }
 
+/** No building is larger, degrees: 100 km. Metres of a room are more. */
+const MOST_DEGREES = 1;
 /** Farther from Earth's centre than this lies its surface, m. */
 const NEAR_CENTRE = 6e6;
 const KIND_WORDS = { geographic: 'degrees', geocentric: 'measured from the centre of the Earth' } as const;
