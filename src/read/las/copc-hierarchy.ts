@@ -47,8 +47,7 @@ export function readCopcInfo(name: string, records: readonly VariableRecord[]): 
 /**
  * The octree of a COPC file, whose pages are fetched when their level is asked for.
  *
- * What pages and nodes take together cannot be more than the file: pages that lead back to themselves, and nodes told
- * twice, end there.
+ * What pages and nodes take together cannot be more than the file: pages that lead back to themselves end there.
  */
 export class CopcHierarchy {
   readonly nodes: CopcNode[] = [];

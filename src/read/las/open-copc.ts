@@ -1,7 +1,7 @@
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
 import { CopcHierarchy, type CopcInfo, type CopcNode, readCopcInfo } from './copc-hierarchy.ts';
-import { cutOff } from './las-header.ts';
+import { cutOff, malformed } from './las-header.ts';
 import { type LaszipRecord, readLaszipRecord } from './laszip-record.ts';
 import { LazDecoder } from './laz-decoder.ts';
 import { type LasFile, lasCloud, type ReadCount, readLasFile } from './open-las.ts';
@@ -42,11 +42,12 @@ async function* readNodes(
 ): AsyncGenerator<PointChunk, ReadCount> {
   const { file, laszip } = reading;
   const { source, header } = file;
+  const nodes = inFileOrder(source.name, await chooseNodes(reading));
   const decoder = await LazDecoder.create(file, laszip);
-  const nodes = (await chooseNodes(reading)).sort((a, b) => a.offset - b.offset);
   for (const run of runsOf(nodes)) {
     const begin = run[0].offset;
-    const end = run.reduce((last, { offset, bytes }) => Math.max(last, offset + bytes), begin);
+    const last = run[run.length - 1];
+    const end = last.offset + last.bytes;
     const piece = await source.slice(begin, end);
     if (piece.length < end - begin)
       throw cutOff(source.name, { count: header.count, needed: end, size: begin + piece.length });
@@ -74,6 +75,17 @@ async function chooseNodes({ file, info, spacing }: NodeReading): Promise<CopcNo
     const isFine = spacing > 0 ? info.spacing / 2 ** level <= spacing : points >= ROUGH_POINTS;
     if (isFine || !hierarchy.reaches(level + 1)) return chosen;
   }
+}
+
+/** A node told twice would double its points. @throws input/malformed */
+function inFileOrder(name: string, nodes: readonly CopcNode[]): CopcNode[] {
+  const sorted = [...nodes].sort((a, b) => a.offset - b.offset);
+  let end = 0;
+  for (const { offset, bytes } of sorted) {
+    if (offset < end) throw malformed(name, offset, 'nodes of the octree side by side', 'two in one place');
+    end = offset + bytes;
+  }
+  return sorted;
 }
 
 function* runsOf(nodes: readonly CopcNode[]): Generator<CopcNode[]> {
