@@ -96,10 +96,10 @@ function warningsOf({ dropped, read, cell, count }: Thinning, target: number): W
 }
 
 /** 32-bit floats far from zero are too few: at a UTM northing they lie half a metre apart, and walls with them. */
-function coarseFloats({ bounds }: Thinning, origin: Vec3, target: number): Warning[] {
+function coarseFloats({ xyz, count }: Thinning, origin: Vec3, target: number): Warning[] {
   const step = FLOAT_STEP * powerOfTwoBelow(Math.max(1, ...origin.map(Math.abs)));
-  const isFloat = [...bounds.min, ...bounds.max].every((value) => value === Math.fround(value));
-  if (target === 0 || step <= target || !isFloat) return [];
+  if (target === 0 || step <= target) return [];
+  for (let i = 0; i < 3 * count; i++) if (xyz[i] !== Math.fround(xyz[i])) return [];
   return [
     {
       code: 'read/coarse-coordinates',

@@ -2,7 +2,7 @@ import { FloorPlanError } from '../../core/errors.ts';
 import type { PointChunk } from '../cloud-reader.ts';
 import type { PointBuffer } from '../point-buffer.ts';
 import { decodeRecords, type RecordLayout } from '../records.ts';
-import type { LasHeader } from './las-header.ts';
+import { type LasHeader, malformed } from './las-header.ts';
 import type { LaszipRecord } from './laszip-record.ts';
 import { type LazChunk, wantedLayers, writeWantedLayers } from './laz-layers.ts';
 import { createLazModule, type LazModule } from './laz-module.ts';
@@ -11,6 +11,8 @@ import { FIRST_EXTENDED, POINT_FORMATS } from './point-formats.ts';
 
 /** Points decompressed at once: their records stay in the processor's cache. */
 const RUN_POINTS = 4096;
+/** A real point takes 20 bits and more: a chunk of more points a byte than this is made up, and would take hours. */
+const MOST_POINTS_PER_BYTE = 64;
 /** The decoder may look past the end of a chunk. */
 const MARGIN_BYTES = 256;
 
@@ -64,6 +66,9 @@ export class LazDecoder {
   *decode(chunk: LazChunk): Generator<PointChunk> {
     const { buffer } = this;
     const stride = this.#layout.stride;
+    const most = MOST_POINTS_PER_BYTE * chunk.bytes.length;
+    if (chunk.points > most)
+      throw malformed(this.#name, chunk.offset, `at most ${most} points`, chunk.points);
     const { pointer, decoder } = this.#guard(chunk, () => this.#open(chunk));
     let left = chunk.points;
     while (left > 0) {

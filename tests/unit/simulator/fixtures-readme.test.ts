@@ -9,7 +9,7 @@ function dataFiles(): string[] {
   return FOLDERS.flatMap((folder) =>
     readdirSync(join(root, folder), { recursive: true, encoding: 'utf8' })
       .map((file) => join(folder, file))
-      .filter((path) => statSync(join(root, path)).isFile() && !/\.(ts|md)$/.test(path)),
+      .filter((path) => statSync(join(root, path)).isFile() && !/\.(ts|md|py)$/.test(path)),
   );
 }
 

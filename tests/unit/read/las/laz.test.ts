@@ -119,6 +119,16 @@ describe('files that lie', () => {
       (view, begin) => view.setUint32(tableOf(view, begin) + 8, 0xffffffff, true),
     ],
     [
+      'hours of points in a few bytes',
+      'input/malformed',
+      FIXED,
+      (view, begin) => {
+        view.setUint32(107, 4e9, true);
+        view.setUint32(LASZIP + 12, 4e9, true);
+        view.setUint32(tableOf(view, begin) + 4, 1, true);
+      },
+    ],
+    [
       'layers larger than their chunk',
       'input/malformed',
       LAYERED,
