@@ -1,8 +1,11 @@
 import { readFileSync } from 'node:fs';
+import { createServer, type RequestListener } from 'node:http';
+import type { AddressInfo } from 'node:net';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { resolveOptions } from '../../../../src/core/options.ts';
 import type { ByteSource } from '../../../../src/read/bytes/source.ts';
+import { urlSource } from '../../../../src/read/bytes/url-source.ts';
 import { openCloud } from '../../../../src/read/formats.ts';
 import { openLaz } from '../../../../src/read/las/open-laz.ts';
 import { readScan } from '../../../../src/read/read-scan.ts';
@@ -106,6 +109,65 @@ async function gather(source: ByteSource, as: 'laz' | 'copc') {
     for (let i = 0; i < chunk.count; i++) xyz.push(chunk.xyz.subarray(3 * i, 3 * i + 3).join());
   return { xyz: xyz.sort() };
 }
+
+/** The file with so many bytes between points and octree that the first request does not fetch all. */
+const SPREAD_BYTES = 400_000;
+function spreadFile(): Uint8Array {
+  const gap = Number(new DataView(FILE.buffer).getBigUint64(235, true));
+  const bytes = new Uint8Array(FILE.length + SPREAD_BYTES);
+  bytes.set(FILE.subarray(0, gap));
+  bytes.set(FILE.subarray(gap), gap + SPREAD_BYTES);
+  const view = new DataView(bytes.buffer);
+  const move = (at: number) =>
+    view.setBigUint64(at, view.getBigUint64(at, true) + BigInt(SPREAD_BYTES), true);
+  move(235);
+  move(INFO + 40);
+  // The root page: its first entry is the root itself, the others are pages.
+  for (let at = 32; at < ROOT_BYTES; at += 32) move(ROOT + SPREAD_BYTES + at + 16);
+  return bytes;
+}
+
+async function serving<T>(listener: RequestListener, work: (url: string) => Promise<T>): Promise<T> {
+  const server = createServer(listener);
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  try {
+    return await work(`http://127.0.0.1:${(server.address() as AddressInfo).port}/a.copc.laz`);
+  } finally {
+    server.close();
+  }
+}
+
+describe('over HTTP', () => {
+  const file = spreadFile();
+
+  it('fetches ranges only', async () => {
+    let sent = 0;
+    const count = await serving(
+      ({ headers }, response) => {
+        const [begin, last] = /=(\d+)-(\d+)/.exec(headers.range!)!.slice(1).map(Number);
+        const piece = file.subarray(begin, last + 1);
+        sent += piece.length;
+        response.writeHead(206, { 'Content-Range': `bytes ${begin}-${last}/${file.length}` }).end(piece);
+      },
+      (url) => countPoints(urlSource(url), 0.01),
+    );
+    expect(count).toBe(LEVELS[2]);
+    expect(sent).toBeLessThan(150_000);
+  });
+
+  it('streams the file where the server knows no ranges', async () => {
+    let requests = 0;
+    const count = await serving(
+      (_, response) => {
+        requests++;
+        response.writeHead(200, { 'Content-Length': file.length }).end(file);
+      },
+      (url) => countPoints(urlSource(url), 0.01),
+    );
+    expect(count).toBe(LEVELS[2]);
+    expect(requests).toBeLessThan(8);
+  });
+});
 
 describe('octrees that lie', () => {
   const lastOfRoot = ROOT + ROOT_BYTES - 32;
