@@ -11,6 +11,8 @@ import { FIRST_EXTENDED, POINT_FORMATS } from './point-formats.ts';
 
 /** Points decompressed at once: their records stay in the processor's cache. */
 const RUN_POINTS = 4096;
+/** A chunk lies in memory as a whole; usual are some hundred kilobytes. */
+const MOST_CHUNK_BYTES = 2 ** 29;
 /** A real point takes 20 bits and more: a chunk of more points a byte than this is made up, and would take hours. */
 const MOST_POINTS_PER_BYTE = 64;
 /** The decoder may look past the end of a chunk. */
@@ -69,6 +71,7 @@ export class LazDecoder {
     const most = MOST_POINTS_PER_BYTE * chunk.bytes.length;
     if (chunk.points > most)
       throw malformed(this.#name, chunk.offset, `at most ${most} points`, chunk.points);
+    if (chunk.bytes.length > MOST_CHUNK_BYTES) throw tooLarge(this.#name, chunk);
     const { pointer, decoder } = this.#guard(chunk, () => this.#open(chunk));
     let left = chunk.points;
     while (left > 0) {
@@ -126,4 +129,12 @@ export class LazDecoder {
       );
     }
   }
+}
+
+function tooLarge(name: string, { offset, bytes }: LazChunk): FloorPlanError {
+  return new FloorPlanError(
+    'input/too-large',
+    `${name}: expected chunks of up to ${MOST_CHUNK_BYTES} bytes, found one of ${bytes.length} at byte ${offset}`,
+    { hint: 'Save the cloud as LAS, or as LAZ in chunks of 50,000 points.', detail: { offset } },
+  );
 }

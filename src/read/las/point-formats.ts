@@ -32,16 +32,16 @@ const LEGACY_CLASS = 0b1_1111;
 /**
  * Where the values of a point lie. Points marked as withheld are left out: by the standard they are deleted.
  *
- * @param metresRatio heights times this are in the unit of x and y
+ * @param heightRatio heights times this are in the unit of x and y
  */
 export function recordLayout(
   { format, recordBytes, scale, offset }: LasHeader,
-  metresRatio = 1,
+  heightRatio = 1,
 ): RecordLayout {
   const { colour } = POINT_FORMATS[format];
   const isExtended = format >= FIRST_EXTENDED;
   const fields: RecordField[] = [0, 1, 2].map((axis) => {
-    const ratio = axis === 2 ? metresRatio : 1;
+    const ratio = axis === 2 ? heightRatio : 1;
     const [factor, shift] = [scale[axis] * ratio, offset[axis] * ratio];
     return { field: axis, type: 'int32', offset: 4 * axis, scale: factor, shift };
   });

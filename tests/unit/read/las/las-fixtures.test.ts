@@ -22,7 +22,7 @@ describe('files of laspy and lazrs', () => {
   it.each([
     ...[0, 3, 8].map((format) => [`format-${format}.las`, format] as const),
     ...[0, 1, 2, 3, 6, 7, 8].map((format) => [`format-${format}.laz`, format] as const),
-    ...([1, 6] as const).map((format) => [`chunks-${format}.laz`, format] as const),
+    ...([1, 6, 9, 10] as const).map((format) => [`chunks-${format}.laz`, format] as const),
     ...([3, 7] as const).map((format) => [`variable-${format}.laz`, format] as const),
   ])('%s', async (name, format) => {
     const all = await readAll(await fixture(name));
@@ -30,7 +30,7 @@ describe('files of laspy and lazrs', () => {
     expect(all.classification).toEqual(INDICES.map((i) => i % (format < 6 ? 7 : 40)));
     expect(all.intensity).toEqual(INDICES.map((i) => Math.fround((i * 131) / 65_535)));
     const colour = INDICES.map((i) => [100, 110, 120].map((k) => Math.floor((i * k * 255) / 65_535 + 0.5)));
-    expect(all.colour).toEqual([2, 3, 7, 8].includes(format) ? colour : undefined);
+    expect(all.colour).toEqual([2, 3, 7, 8, 10].includes(format) ? colour : undefined);
   });
 
   it('tells unit and CRS', async () => {
