@@ -14,7 +14,8 @@ const external = [
 /** What the built page may do: run and show its own files, and fetch the scan a person names. */
 const policy = [
   "default-src 'none'",
-  "script-src 'self'",
+  // WebAssembly decompresses LAZ.
+  "script-src 'self' 'wasm-unsafe-eval'",
   "style-src 'self'",
   "img-src 'self' data: blob:",
   "worker-src 'self' blob:",
@@ -88,6 +89,7 @@ export default defineConfig(({ mode }) => ({
   test: {
     include: ['tests/{unit,property,golden,accuracy,reproduction}/**/*.test.ts'],
     testTimeout: 60_000,
+    hookTimeout: 60_000,
     // The CSG packages resolve to CommonJS under Node and would load a second three.
     server: { deps: { inline: ['three-csg-ts'] } },
   },

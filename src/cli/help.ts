@@ -55,6 +55,8 @@ export function valueWords(row: ParamRow): string {
       return 'auto|0|1|2|low:high';
     case 'doors':
       return 'none|gaps|x,y,width[,height];…';
+    case 'classes':
+      return 'all|CODE,CODE-CODE,…';
   }
 }
 

@@ -1,9 +1,9 @@
 /** What went wrong, by family. A reader may throw nothing but a {@link FloorPlanError}. */
 export type ErrorCode =
-  | `input/${'unknown-format' | 'truncated' | 'empty' | 'malformed' | 'not-finite' | 'too-large' | 'too-few-points' | 'degenerate' | 'unreadable'}`
+  | `input/${'unknown-format' | 'truncated' | 'empty' | 'malformed' | 'not-finite' | 'too-large' | 'too-few-points' | 'degenerate' | 'unreadable' | 'geographic-coordinates'}`
   | `option/${'unknown' | 'invalid'}`
   | `result/${'no-boundary' | 'no-walls'}`
-  | `environment/${'network' | 'worker' | 'webgl' | 'canvas' | 'memory' | 'file-system'}`
+  | `environment/${'network' | 'worker' | 'webgl' | 'wasm' | 'canvas' | 'memory' | 'file-system'}`
   | 'cancelled';
 
 export interface ErrorFacts {

@@ -1,3 +1,4 @@
+import { parseClasses } from './classes.ts';
 import { formatDoors, parseDoors } from './doors.ts';
 import { FloorPlanError } from './errors.ts';
 import type { AutoNumberRow, NumberRow, ParamRow } from './param-rows.ts';
@@ -98,6 +99,7 @@ function powerOf({ unit }: NumberRow | AutoNumberRow): 0 | 1 | 2 {
 /** @param found what the person gave, for the message */
 function checkValue(name: ParamName, value: unknown, found: unknown): void {
   const row: ParamRow = PARAMS[name];
+  if (row.kind === 'classes' && typeof value === 'string') parseClasses(value);
   const expected = expectation(row, value);
   if (expected === null) return;
   const words = Array.isArray(found) ? found.join(',') : String(found);
@@ -140,6 +142,8 @@ function expectation(row: ParamRow, value: unknown): string | null {
       return isLevelChoice(value) ? null : 'auto, 0, 1, 2 or low:high in metres';
     case 'doors':
       return typeof value === 'string' ? null : 'none, gaps or x,y,width[,height];…';
+    case 'classes':
+      return typeof value === 'string' ? null : 'all or class codes: 2,6';
   }
 }
 

@@ -55,9 +55,21 @@ export interface LevelRow extends RowFacts<LevelChoice> {
 export interface DoorsRow extends RowFacts<string> {
   readonly kind: 'doors';
 }
+/** `all`, or class codes and ranges of them separated by commas; `parseClasses` reads it. */
+export interface ClassesRow extends RowFacts<string> {
+  readonly kind: 'classes';
+}
 export type LevelChoice = 'auto' | '0' | '1' | '2' | `${number}:${number}`;
 
-export type ParamRow = NumberRow | AutoNumberRow | FlagRow | ChoiceRow | ChoiceListRow | LevelRow | DoorsRow;
+export type ParamRow =
+  | NumberRow
+  | AutoNumberRow
+  | FlagRow
+  | ChoiceRow
+  | ChoiceListRow
+  | LevelRow
+  | DoorsRow
+  | ClassesRow;
 
 export const px = (value: number): Pixels => ({ px: value, power: 1 });
 export const px2 = (value: number): Pixels => ({ px: value, power: 2 });
@@ -82,3 +94,4 @@ export const choiceList = <const C extends string>(
 ): ChoiceListRow<C> => ({ kind: 'choice-list', choices, ...row });
 export const level = (row: Omit<LevelRow, 'kind'>): LevelRow => ({ kind: 'level', ...row });
 export const doors = (row: Omit<DoorsRow, 'kind'>): DoorsRow => ({ kind: 'doors', ...row });
+export const classes = (row: Omit<ClassesRow, 'kind'>): ClassesRow => ({ kind: 'classes', ...row });

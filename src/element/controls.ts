@@ -1,5 +1,6 @@
 import type { ParamRow } from '../core/param-rows.ts';
 import { type GivenValues, PARAMS, type ParamName } from '../core/params.ts';
+import { classesField } from './classes-field.ts';
 import { doorsField } from './doors/doors-field.ts';
 import type { Field, FieldFacts } from './field.ts';
 import { icon } from './icon.ts';
@@ -9,7 +10,7 @@ import type { Actions, Panel } from './model.ts';
 import { numberField } from './number-field.ts';
 import { sayChoice } from './plain-words.ts';
 
-/** The control of a parameter, made from its row: number, auto-number, flag, choice, choice-list, doors. */
+/** The control of a parameter, made from its row: number, auto-number, flag, choice, choice-list, doors, classes. */
 export function makeControl(name: ParamName, actions: Actions): Panel {
   const row: ParamRow = PARAMS[name];
   const id = `param-${name}`;
@@ -60,6 +61,8 @@ function makeField(facts: FieldFacts, actions: Actions): Field {
       return listField(facts, facts.row.choices);
     case 'doors':
       return doorsField(facts, actions);
+    case 'classes':
+      return classesField(facts);
     case 'level':
       throw new TypeError('The level has a picker of its own.');
   }

@@ -1,6 +1,7 @@
 import { FloorPlanError } from '../core/errors.ts';
 import type { ReadFormat } from './cloud-reader.ts';
 import { E57_FORMAT } from './e57/e57.ts';
+import { COPC_FORMAT, LAS_FORMAT, LAZ_FORMAT } from './las/las.ts';
 import { PLY_FORMAT } from './ply/ply.ts';
 import { PTS_FORMAT } from './pts/pts.ts';
 import { PTX_FORMAT } from './ptx/ptx.ts';
@@ -13,6 +14,9 @@ import { CSV_FORMAT } from './text/csv.ts';
  */
 export const READ_FORMATS = {
   ply: PLY_FORMAT,
+  las: LAS_FORMAT,
+  copc: COPC_FORMAT,
+  laz: LAZ_FORMAT,
   e57: E57_FORMAT,
   ptx: PTX_FORMAT,
   pts: PTS_FORMAT,

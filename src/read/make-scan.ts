@@ -1,5 +1,5 @@
 import { countOf } from '../core/count-words.ts';
-import type { Scan, Vec3, Warning } from '../core/types.ts';
+import type { PointAttributes, Scan, Vec3, Warning } from '../core/types.ts';
 import type { OpenCloud } from './cloud-reader.ts';
 import { orderByCell } from './thin/cell-order.ts';
 import { diagonalOf, FARTHEST, powerOfTwoBelow, type Thinning } from './thin/thinning.ts';
@@ -16,10 +16,15 @@ export interface ScanFacts {
   readonly cloud: OpenCloud;
   /** Cell that was asked for, source units. */
   readonly target: number;
+  /** Told while reading, beside the cloud's own. */
+  readonly warnings: readonly Warning[];
 }
 
 /** The points that thinning kept, in an order that does not depend on the file's. Complexity: O(n). */
-export function makeScan(thinning: Thinning, { name, format, bytes, cloud, target }: ScanFacts): Scan {
+export function makeScan(
+  thinning: Thinning,
+  { name, format, bytes, cloud, target, warnings }: ScanFacts,
+): Scan {
   const { xyz, count, bounds } = thinning;
   const origin = thinning.sample.middle();
   const cell = thinning.cell || powerOfTwoBelow(diagonalOf(bounds) * ORDER_SHARE);
@@ -36,13 +41,27 @@ export function makeScan(thinning: Thinning, { name, format, bytes, cloud, targe
     positions: positionsOf(thinning, indices, origin),
     origin,
     bounds: { min: [...bounds.min], max: [...bounds.max] },
-    attributes: thinning.attributesOf(indices),
+    attributes: withoutBlanks(thinning.attributesOf(indices)),
     cellSize: thinning.cell,
     isSlice: cloud.isSlice,
     ...(cloud.unit && { unit: cloud.unit }),
     ...(cloud.crs && { crs: cloud.crs }),
     stations: cloud.stations ?? [],
-    warnings: [...cloud.warnings, ...warningsOf(thinning, target), ...coarseFloats(thinning, origin, target)],
+    warnings: [
+      ...cloud.warnings,
+      ...warnings,
+      ...warningsOf(thinning, target),
+      ...coarseFloats(thinning, origin, target),
+    ],
+  };
+}
+
+/** A format may have room for colour and intensity that nothing was written to: black without exception is none. */
+function withoutBlanks({ colour, intensity, ...others }: PointAttributes): PointAttributes {
+  return {
+    ...(colour?.some((value) => value !== 0) && { colour }),
+    ...(intensity?.some((value) => value !== 0) && { intensity }),
+    ...others,
   };
 }
 
@@ -79,10 +98,10 @@ function warningsOf({ dropped, read, cell, count }: Thinning, target: number): W
 }
 
 /** 32-bit floats far from zero are too few: at a UTM northing they lie half a metre apart, and walls with them. */
-function coarseFloats({ bounds }: Thinning, origin: Vec3, target: number): Warning[] {
+function coarseFloats({ xyz, count }: Thinning, origin: Vec3, target: number): Warning[] {
   const step = FLOAT_STEP * powerOfTwoBelow(Math.max(1, ...origin.map(Math.abs)));
-  const isFloat = [...bounds.min, ...bounds.max].every((value) => value === Math.fround(value));
-  if (target === 0 || step <= target || !isFloat) return [];
+  if (target === 0 || step <= target) return [];
+  for (let i = 0; i < 3 * count; i++) if (xyz[i] !== Math.fround(xyz[i])) return [];
   return [
     {
       code: 'read/coarse-coordinates',

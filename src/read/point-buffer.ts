@@ -106,7 +106,8 @@ export class PointBuffer {
   #convertColour(colour: Uint8Array, length: number): void {
     const values = this.#values[RED];
     this.#colourScale ??= colourScale(values, length, this.#range);
-    const scale = this.#colourScale;
+    // Black tells nothing yet: any scale is right.
+    const scale = this.#colourScale ?? 0;
     for (let i = 0; i < length; i++) {
       const value = values[i] * scale + 0.5;
       colour[i] = Math.min(255, Math.max(0, value));
@@ -114,8 +115,8 @@ export class PointBuffer {
   }
 }
 
-/** Factor to 0 … 255. Floats go to 1 or, in some files, to 255: the largest of the first chunk tells. */
-function colourScale(values: Float64Array, length: number, range: ColourRange): number {
+/** Factor to 0 … 255. Floats go to 1 or, in some files, to 255: the largest of the first chunk that is not black tells. */
+function colourScale(values: Float64Array, length: number, range: ColourRange): number | undefined {
   if (range === 'byte') return 1;
   if (range === 'short') return 255 / 65535;
   let largest = 0;
@@ -124,6 +125,7 @@ function colourScale(values: Float64Array, length: number, range: ColourRange): 
     if (values[i] > largest) largest = values[i];
     if (values[i] % 1 !== 0) hasFraction = true;
   }
+  if (largest === 0) return undefined;
   if (largest > 255) return 255 / 65535;
   return largest <= 1 && hasFraction ? 255 : 1;
 }

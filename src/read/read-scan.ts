@@ -1,10 +1,12 @@
+import { parseClasses } from '../core/classes.ts';
 import { countOf } from '../core/count-words.ts';
 import { FloorPlanError } from '../core/errors.ts';
 import { checkSpread } from '../core/frame/check-spread.ts';
 import { judgeUnit, statedUnit } from '../core/frame/judge-unit.ts';
 import type { Options } from '../core/params.ts';
-import type { Scan } from '../core/types.ts';
+import type { Scan, Warning } from '../core/types.ts';
 import type { ByteSource } from './bytes/source.ts';
+import { ClassFilter } from './class-filter.ts';
 import type { OpenCloud, PointChunk } from './cloud-reader.ts';
 import { makeScan } from './make-scan.ts';
 import { openScan } from './open-scan.ts';
@@ -13,7 +15,7 @@ import { scanName } from './scan-name.ts';
 import { CELLS_TOLD_APART } from './thin/cell-hash.ts';
 import { diagonalOf, FARTHEST, powerOfTwoBelow, Thinning } from './thin/thinning.ts';
 
-export type ReadOptions = Pick<Options, 'resolution' | 'pointBudget' | 'unit' | 'pixelsPerMetre'>;
+export type ReadOptions = Pick<Options, 'resolution' | 'pointBudget' | 'unit' | 'pixelsPerMetre' | 'classes'>;
 
 export interface ReadStatus {
   /** Bytes fetched; where the source is read twice, those of the first time too. */
@@ -40,7 +42,7 @@ const CHECKED_POINTS = 1 << 16;
  * Cells are the largest power of two, in source units, that is not above `resolution`; coarser where more than
  * `pointBudget` points would be kept. The unit is judged on the first chunk, to start with the right cell, and again at
  * the end: finer cells are then coarsened, and where coarser ones were used the source is read once more; so is an
- * adaptive cloud of unknown unit. Ready slices
+ * adaptive cloud of unknown unit, and a cloud without any of the classes asked for: then all are taken. Ready slices
  * keep every distinct point up to the budget. The result does not depend on the order of the points.
  *
  * @throws input/…, environment/network, environment/memory, cancelled
@@ -52,6 +54,7 @@ export async function readScan(
 ): Promise<Scan> {
   const sources = 'name' in source ? [source] : source;
   const { format, cloud } = await openScan(sources);
+  const classes = parseClasses(options.classes);
   const run: ReadRun = {
     name: scanName(sources),
     sources,
@@ -61,6 +64,8 @@ export async function readScan(
     bytesBefore: 0,
     bytesRead: 0,
     target: 0,
+    classes,
+    warnings: [],
   };
   const known = cloud.isAdaptive ? statedCell(run) : undefined;
   let thinning = await readOnce(run, known);
@@ -69,15 +74,21 @@ export async function readScan(
     run.target = targetCell(run, thinning);
     const isRough = cloud.isAdaptive && known === undefined;
     if (isRough || isWrongStart(thinning, run.target)) {
-      run.bytesBefore = run.bytesRead;
-      thinning = await readOnce(run, run.target);
+      thinning = await readAgain(run, run.target);
     } else if (thinning.cell < run.target) {
       thinning.coarsen(run.target);
     }
   }
   thinning.close();
   const bytes = sizeOfAll(sources) ?? run.bytesRead;
-  const scan = makeScan(thinning, { name: run.name, format, bytes, cloud, target: run.target });
+  const scan = makeScan(thinning, {
+    name: run.name,
+    format,
+    bytes,
+    cloud,
+    target: run.target,
+    warnings: run.warnings,
+  });
   if (thinning.count <= CHECKED_POINTS) checkSpread(scan.positions);
   return scan;
 }
@@ -92,27 +103,45 @@ interface ReadRun {
   bytesRead: number;
   /** Cell that the resolution asks for, source units; 0 for a slice. */
   target: number;
+  /** 1 for each class code to keep; null for all. */
+  classes: Uint8Array | null;
+  readonly warnings: Warning[];
 }
 
 async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
   const { cloud, options, control } = run;
   const preview = control.onPreview && run.bytesBefore === 0 ? new Preview(control.onPreview) : null;
   let thinning: Thinning | null = null;
+  const filter = run.classes && new ClassFilter(run.classes);
   const chunks = cloud.chunks((bytesRead) => {
     run.bytesRead = bytesRead;
     report(run, thinning?.read ?? 0);
   }, cell ?? 0);
   // Half: most scans lose more than that to thinning, and a table that proves too small grows once.
   const expected = (cloud.pointsAnnounced ?? 0) / 2;
-  for await (const chunk of chunks) {
+  for await (const read of chunks) {
+    const chunk = filter ? filter.apply(read) : read;
+    if (chunk.count === 0) continue;
     thinning ??= new Thinning({ cell: cell ?? firstCell(run, chunk), budget: options.pointBudget, expected });
     thinning.add(chunk);
     preview?.add(chunk);
   }
   preview?.flush();
+  const objection = filter?.objection;
+  if (objection) {
+    run.classes = null;
+    run.warnings.push(objection);
+    if (!thinning) return readAgain(run, cell);
+  }
   if (!thinning) throw noPoints(run.name);
   report(run, thinning.read);
   return thinning;
+}
+
+/** From the first byte on; progress goes on where it stands. */
+function readAgain(run: ReadRun, cell?: number): Promise<Thinning> {
+  run.bytesBefore = run.bytesRead;
+  return readOnce(run, cell);
 }
 
 function report({ sources, control, bytesBefore, bytesRead }: ReadRun, points: number): void {

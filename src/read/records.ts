@@ -24,6 +24,8 @@ export interface RecordField {
   readonly offset: number;
   readonly scale?: number;
   readonly shift?: number;
+  /** Bits of a whole number that are the value. */
+  readonly mask?: number;
 }
 
 /** Binary records of one length. */
@@ -32,6 +34,8 @@ export interface RecordLayout {
   /** Bytes of a record. */
   readonly stride: number;
   readonly isLittleEndian: boolean;
+  /** Records with any of these bits set in their byte at `offset` are left out. */
+  readonly leftOut?: { readonly offset: number; readonly mask: number };
 }
 
 export interface RecordStream {
@@ -57,12 +61,30 @@ export async function* readRecords(stream: RecordStream): AsyncGenerator<PointCh
     decodeRecords(cursor.bytes, cursor.position, count, layout, buffer);
     cursor.position += count * stride;
     left -= count;
-    if (buffer.free === 0 || left === 0) yield buffer.take();
+    if (buffer.free === 0 || (left === 0 && buffer.count > 0)) yield buffer.take();
   }
 }
 
-/** Appends `count` records, the first at byte `begin`, to a buffer with room for them. */
+/** Appends `count` records, the first at byte `begin`, to a buffer with room for them: run by run of those kept. */
 export function decodeRecords(
+  bytes: Uint8Array,
+  begin: number,
+  count: number,
+  layout: RecordLayout,
+  buffer: PointBuffer,
+): void {
+  const { leftOut, stride } = layout;
+  const { offset, mask } = leftOut ?? { offset: 0, mask: 0 };
+  let first = 0;
+  for (let i = 0; leftOut && i < count; i++) {
+    if ((bytes[begin + i * stride + offset] & mask) === 0) continue;
+    if (i > first) decodeRun(bytes, begin + first * stride, i - first, layout, buffer);
+    first = i + 1;
+  }
+  if (count > first) decodeRun(bytes, begin + first * stride, count - first, layout, buffer);
+}
+
+function decodeRun(
   bytes: Uint8Array,
   begin: number,
   count: number,
@@ -70,10 +92,11 @@ export function decodeRecords(
   buffer: PointBuffer,
 ): void {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  for (const { field, type, offset, scale = 1, shift = 0 } of fields) {
+  for (const { field, type, offset, scale = 1, shift = 0, mask } of fields) {
     const column = buffer.column(field);
     if (!column) continue;
     decodeColumn({ view, type, offset: begin + offset, stride, isLittleEndian }, column, count);
+    if (mask !== undefined) maskColumn(column, count, mask);
     if (scale !== 1 || shift !== 0) scaleColumn(column, count, scale, shift);
   }
   buffer.count += count;
@@ -110,6 +133,11 @@ function decodeColumn(from: RawColumn, { into, first, step }: FieldColumn, count
 function scaleColumn({ into, first, step }: FieldColumn, count: number, scale: number, shift: number): void {
   const end = first + step * count;
   for (let at = first; at < end; at += step) into[at] = into[at] * scale + shift;
+}
+
+function maskColumn({ into, first, step }: FieldColumn, count: number, mask: number): void {
+  const end = first + step * count;
+  for (let at = first; at < end; at += step) into[at] &= mask;
 }
 
 export type NumberReader = (view: DataView, offset: number, isLittleEndian: boolean) => number;

@@ -21,7 +21,6 @@ const SIGNATURES: readonly Signature[] = [
   { what: 'a 7-Zip archive', magic: "7z\xbc\xaf'\x1c" },
   { what: 'a RAR archive', magic: 'Rar!' },
   { what: 'a Zstandard archive', magic: '\x28\xb5\x2f\xfd' },
-  { what: 'a LAS or LAZ point cloud', magic: 'LASF' },
   { what: 'a PCD point cloud', magic: '# .PCD' },
   { what: 'a PCD point cloud', magic: 'VERSION .7' },
   { what: 'a GLB model', magic: 'glTF' },

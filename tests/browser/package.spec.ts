@@ -1,5 +1,5 @@
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { build, type PreviewServer, preview } from 'vite';
 import type { FloorPlanElement } from '../../src/element/floor-plan.ts';
@@ -59,4 +59,16 @@ test('the packed element works in an app made with a bundler, in a worker of its
   await expect(page.getByTestId('plan-svg')).toBeVisible();
   // One makes the plan, one draws the model.
   await expect.poll(() => page.workers().length).toBe(2);
+});
+
+test('the packed element decompresses LAZ', async ({ page }) => {
+  await page.goto('./');
+  const laz = readFileSync(join(root, 'fixtures/foreign/room.laz')).toString('base64');
+  const format = await page.evaluate(async (base64) => {
+    await customElements.whenDefined('floor-plan');
+    const element = document.querySelector('floor-plan') as FloorPlanElement;
+    const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+    return (await element.load(new File([bytes], 'room.laz'))).source.format;
+  }, laz);
+  expect(format).toBe('laz');
 });

@@ -9,7 +9,7 @@ import { blobSource } from '../../src/read/bytes/blob-source.ts';
 import { Session } from '../../src/session/session.ts';
 
 interface Change {
-  /** `scan`: a furnished home; `slice`: a room with a structure, two columns; `tower`: a small storey on a wide one. */
+  /** `scan`: a furnished home; `slice`: a room with a structure, two columns; `tower`: a small storey (class 6) on a wide one (2). */
   readonly on: 'scan' | 'slice' | 'tower';
   readonly from?: Partial<Options>;
   readonly to: Partial<Options>;
@@ -20,6 +20,7 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   preset: { on: 'scan', to: { preset: 'paper' } },
   resolution: { on: 'scan', to: { resolution: 0.2 } },
   pointBudget: { on: 'scan', to: { pointBudget: 2000 } },
+  classes: { on: 'tower', from: { up: 'z', unit: 'm' }, to: { classes: '2' } },
   unit: { on: 'scan', to: { unit: 'ft' } },
   pixelsPerMetre: { on: 'slice', to: { pixelsPerMetre: 50 } },
   up: { on: 'scan', to: { up: 'x' } },
@@ -83,7 +84,7 @@ beforeAll(async () => {
   const rows = Array.from({ length: xy.length / 2 }, (_, i) => `${xy[2 * i]},${xy[2 * i + 1]}`);
   session.scan = await open(new Blob([writePly({ positions: home.positions })]), 'home.ply');
   const tower = [...squareWalls(5, 12_000, 0, 2), ...squareWalls(1, 4000, 2.5, 4)];
-  session.tower = await open(new Blob([`x,y,z\n${tower.join('\n')}\n`]), 'tower.csv');
+  session.tower = await open(new Blob([`x,y,z,class\n${tower.join('\n')}\n`]), 'tower.csv');
   session.slice = await open(new Blob([`x,y\n${rows.join('\n')}\n`]), 'room.csv');
 });
 
@@ -98,7 +99,7 @@ function* squareWalls(half: number, count: number, low: number, high: number): G
       [-along, half],
       [-half, -along],
     ][i % 4];
-    yield `${x},${y},${z}`;
+    yield `${x},${y},${z},${z < 2.25 ? 2 : 6}`;
   }
 }
 

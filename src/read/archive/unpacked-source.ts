@@ -42,6 +42,7 @@ export function unpackedSource({ name, size, unpack }: Unpacking): UnpackedSourc
   return {
     name,
     size,
+    isSequential: true,
     get packedBytesRead() {
       return packedBytesRead;
     },

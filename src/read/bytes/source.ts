@@ -4,6 +4,8 @@ export interface ByteSource {
   readonly name: string;
   /** Undefined where a server does not say. */
   readonly size: number | undefined;
+  /** Whether a slice costs all bytes before it, as with a server without ranges: better read once, in order. */
+  readonly isSequential?: boolean;
   /** All bytes in order, in chunks of bounded size; may be called again to read once more. */
   stream(): AsyncIterable<Uint8Array>;
   /** Bytes from `begin` up to but without `end`; fewer at the end of the source. */

@@ -17,16 +17,21 @@ export function urlSource(url: string, signal?: AbortSignal): ByteSource {
   const request = { url, signal };
   let probing: Promise<Probe> | null = null;
   let size: number | undefined;
+  let isSequential = false;
   return {
     name: nameOf(url),
     get size() {
       return size;
+    },
+    get isSequential() {
+      return isSequential;
     },
     stream: () => streamOf(request),
     async slice(begin, end) {
       probing ??= probe(request);
       const { head, hasRanges, size: told } = await probing;
       size = told;
+      isSequential = !hasRanges && head.length === PROBE_BYTES;
       if (end <= head.length || head.length < PROBE_BYTES) return head.subarray(begin, end);
       if (hasRanges) return readRange(request, begin, end);
       return (await firstBytes(request, await get(request), end)).subarray(begin, end);

@@ -1,3 +1,5 @@
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import fc from 'fast-check';
 import { gzipSync, zipSync } from 'fflate';
 import { expect, it } from 'vitest';
@@ -13,6 +15,7 @@ import {
   integerField,
   withChecksums,
 } from '../../unit/read/e57-bytes.ts';
+import { CORNERS, geoKeys, lasBytes, wktRecord } from '../../unit/read/las/las-bytes.ts';
 import { bytesOf, memorySource } from '../../unit/read/memory-source.ts';
 import { plyBytes } from '../../unit/read/ply-bytes.ts';
 import { ptxHeader } from '../../unit/read/ptx-text.ts';
@@ -40,6 +43,8 @@ const e57Scan = {
   xml: '<pose type="Structure"><translation type="Structure"><x type="Float">1</x></translation></pose>',
 };
 const rowsOf = (end: string) => places.map((place) => `${place.join(' ')} 0.5\n`).join('') + end;
+const fixture = (name: string) =>
+  new Uint8Array(readFileSync(fileURLToPath(new URL(`../../../fixtures/foreign/${name}`, import.meta.url))));
 
 /** Whole files whose bytes are then spoilt. */
 const GOOD = [
@@ -74,8 +79,32 @@ const spoilt = fc
 /** Damage behind a right checksum. */
 const summed = spoilt.map((bytes) => (bytes[0] === 0x41 ? withChecksums(bytes) : bytes));
 
+/** Files whose bytes are spoilt where it hurts most: in header, records, tables and the first points. */
+const COMPRESSED = ['format-1.laz', 'variable-3.laz', 'chunks-6.laz', 'octree.copc.laz'].map(fixture);
+const spoiltLas = fc
+  .record({
+    file: fc.constantFrom(
+      lasBytes({ format: 3, minor: 2, points: CORNERS, records: [geoKeys({ 1024: 1, 3076: 9002 })] }),
+      lasBytes({ format: 8, minor: 4, points: CORNERS, records: [wktRecord('PROJCS["a",UNIT["b",1]]')] }),
+      ...COMPRESSED,
+      ...COMPRESSED,
+    ),
+    edits: fc.array(
+      fc.tuple(fc.boolean(), fc.integer({ min: 0, max: 1200 }), fc.constantFrom(0, 1, 127, 128, 255)),
+      { minLength: 1, maxLength: 3 },
+    ),
+    keep: fc.oneof({ weight: 4, arbitrary: fc.constant(1) }, fc.double({ min: 0, max: 1, noNaN: true })),
+  })
+  .map(({ file, edits, keep }) => {
+    const bytes = file.slice(0, Math.floor(file.length * keep));
+    for (const [isFromEnd, place, value] of edits)
+      bytes[isFromEnd ? Math.max(4, bytes.length - 1 - place) : 4 + place] = value;
+    return bytes;
+  });
+
 const hostile = fc.oneof(
   spoilt,
+  spoiltLas,
   summed,
   fc.uint8Array({ maxLength: 400 }),
   fc.string({ unit: fc.constantFrom(...'0123456789.,;-+e" \t\r\n#%/nainfxyz'), maxLength: 200 }).map(bytesOf),
@@ -97,7 +126,7 @@ it('answers hostile bytes with a scan or a FloorPlanError', async () => {
   await fc.assert(
     fc.asyncProperty(
       hostile,
-      fc.constantFrom('a.ply', 'a.csv', 'a'),
+      fc.constantFrom('a.ply', 'a.csv', 'a.laz', 'a'),
       pieces,
       fc.boolean(),
       async (bytes, name, split, hasSize) => {

@@ -19,7 +19,6 @@ describe('detection', () => {
     ['photo.csv', Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10), 'a PNG image'],
     ['scan.txt', bytesOf('%PDF-1.7\n1 0 obj\n'), 'a PDF document'],
     ['scan.csv', bytesOf('<!DOCTYPE html><html>404'), 'an HTML page'],
-    ['scan.laz', bytesOf('LASF\0\0'), 'a LAS or LAZ point cloud'],
     ['scan.xyz', Uint8Array.of(1, 2, 3, 0, 200), 'bytes of no known kind'],
     ['letter', bytesOf('Dear Sir,\nin 2019 there were 3 rooms.\n'), 'text that is no table of points'],
   ])('names what %s looks like', (name, bytes, found) => {

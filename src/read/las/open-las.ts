@@ -1,0 +1,101 @@
+import type { Warning } from '../../core/types.ts';
+import { ByteCursor } from '../bytes/byte-cursor.ts';
+import type { ByteSource } from '../bytes/source.ts';
+import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { PointBuffer } from '../point-buffer.ts';
+import { type RecordLayout, readRecords } from '../records.ts';
+import { cutOff, type LasHeader, readLasHeader } from './las-header.ts';
+import { type Place, placeOf } from './place.ts';
+import { recordLayout } from './point-formats.ts';
+import { readVariableRecords, type VariableRecord } from './variable-records.ts';
+
+/** A LAS file, compressed or not, whose header and records are known. */
+export interface LasFile {
+  readonly source: ByteSource;
+  readonly header: LasHeader;
+  readonly records: readonly VariableRecord[];
+  readonly place: Place;
+  /** Of the records as they are decoded. */
+  readonly layout: RecordLayout;
+}
+
+/** Reads what LAS, LAZ and COPC share. @throws input/… */
+export async function readLasFile(source: ByteSource): Promise<LasFile> {
+  const header = await readLasHeader(source);
+  const records = await readVariableRecords(source, header);
+  const place = placeOf(source.name, header, records);
+  return { source, header, records, place, layout: recordLayout(header, place.heightRatio) };
+}
+
+/** Reads the header of an uncompressed LAS file [ASPRS19]; points are streamed. @throws input/… */
+export async function openLas(source: ByteSource): Promise<OpenCloud> {
+  const file = await readLasFile(source);
+  const { count, pointsBegin, recordBytes } = file.header;
+  const needed = pointsBegin + count * recordBytes;
+  if (source.size !== undefined && needed > source.size)
+    throw cutOff(source.name, { count, needed, size: source.size });
+  return lasCloud(file, (progress) => readPoints(file, progress));
+}
+
+/** A cloud that reads as `chunks` does; withheld points are counted and told when all has been read. */
+export function lasCloud(
+  { header, place }: LasFile,
+  chunks: (progress: ReadProgress, spacing: number) => AsyncGenerator<PointChunk, ReadCount>,
+): OpenCloud {
+  const warnings: Warning[] = [...place.warnings];
+  return {
+    isSlice: false,
+    pointsAnnounced: header.count,
+    ...(place.unit && { unit: place.unit }),
+    ...(place.crs && { crs: place.crs }),
+    async *chunks(progress, spacing) {
+      const { decoded, kept } = yield* chunks(progress, spacing);
+      const isTold = warnings.some(({ code }) => code === WITHHELD);
+      if (decoded > kept && !isTold) warnings.push(withheld(decoded - kept, decoded));
+    },
+    warnings,
+  };
+}
+
+/** Points decoded, and those of them handed on. */
+export interface ReadCount {
+  readonly decoded: number;
+  readonly kept: number;
+}
+
+const WITHHELD = 'read/withheld-points';
+
+async function* readPoints(file: LasFile, progress: ReadProgress): AsyncGenerator<PointChunk, ReadCount> {
+  const { source, header, layout } = file;
+  const { count, pointsBegin, recordBytes } = header;
+  const cursor = new ByteCursor(source.stream(), progress);
+  const buffer = bufferFor(layout);
+  const truncated = () => {
+    const size = cursor.offset + cursor.available;
+    return cutOff(source.name, { count, needed: pointsBegin + count * recordBytes, size });
+  };
+  let kept = 0;
+  try {
+    if (!(await cursor.skip(pointsBegin))) throw truncated();
+    for await (const chunk of readRecords({ cursor, layout, count, buffer, truncated })) {
+      kept += chunk.count;
+      yield chunk;
+    }
+    return { decoded: count, kept };
+  } finally {
+    await cursor.close();
+  }
+}
+
+/** A buffer for what the records hold; colour may be saved in 8 or 16 bits, the values tell. */
+export function bufferFor({ fields }: RecordLayout): PointBuffer {
+  return new PointBuffer((number) => fields.some(({ field }) => field === number));
+}
+
+function withheld(left: number, of: number): Warning {
+  return {
+    code: WITHHELD,
+    message: `${left} of ${of} points are marked as withheld, that is deleted, and were left out.`,
+    hint: 'Take the mark off in the program that set it, if they belong to the building.',
+  };
+}

@@ -1,0 +1,14 @@
+import { fileURLToPath } from 'node:url';
+import { expect, expectReady, test } from './plan-page.ts';
+
+const fixture = (name: string) => fileURLToPath(new URL(`../../fixtures/foreign/${name}`, import.meta.url));
+
+test('a LAZ file becomes a plan, decompressed in the worker under the page’s own policy', async ({
+  page,
+}) => {
+  await page.goto('./?src=');
+  await page.getByTestId('file-input').setInputFiles(fixture('room.laz'));
+  await expectReady(page);
+  await expect(page.getByTestId('plan-svg')).toContainText('m²');
+  await expect(page.locator('[data-stage=read]')).toContainText('6,000');
+});
