@@ -1,7 +1,7 @@
 import type { Vec3 } from '../../core/types.ts';
 
 /** Most points of a sample; at least half as many where the cloud has them. */
-const MOST_POINTS = 1 << 19;
+const MOST_POINTS = 1 << 17;
 /** Points enough to find the middle. */
 const MIDDLE_POINTS = 1 << 12;
 const LEAST_PRIORITY = -(2 ** 31);

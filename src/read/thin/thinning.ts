@@ -73,13 +73,12 @@ export class Thinning {
   add(chunk: PointChunk): void {
     this.#attributes ??= new KeptAttributes(chunk, this.xyz.length / 3);
     const words = new Int32Array(chunk.xyz.buffer, chunk.xyz.byteOffset, 2 * chunk.xyz.length);
-    growBounds(this.bounds, chunk);
-    clearNegativeZeros(chunk);
     for (let begin = 0; begin < chunk.count; begin += RUN_POINTS) {
       this.#makeRoom();
       const end = Math.min(chunk.count, begin + RUN_POINTS);
+      const isAllPlaced = this.#takeIn(chunk.xyz, begin, end);
       this.#run.hash({ xyz: chunk.xyz, words }, { begin, end }, this.cell, this.#table);
-      this.#addRun(chunk, begin, end);
+      this.#addRun(chunk, begin, end, isAllPlaced);
       while (this.count > this.#budget) this.#coarsenForBudget();
     }
     this.read += chunk.count;
@@ -101,31 +100,68 @@ export class Thinning {
     this.#table = new Int32Array(0);
   }
 
-  #addRun(chunk: PointChunk, begin: number, end: number): void {
+  #addRun(chunk: PointChunk, begin: number, end: number, isAllPlaced: boolean): void {
     const table = this.#table;
     const mask = table.length - 1;
     const { keys, mates, places, priorities } = this.#run;
+    let { limit } = this.sample;
     for (let i = begin; i < end; i++) {
+      if (!isAllPlaced && !isPlace(chunk.xyz, 3 * i)) continue;
       const k = i - begin;
-      if (!isPlace(chunk.xyz, 3 * i)) {
-        this.dropped++;
-        continue;
+      const priority = priorities[k];
+      if (priority <= limit) {
+        this.sample.add(chunk.xyz, i, priority);
+        limit = this.sample.limit;
       }
-      if (priorities[k] <= this.sample.limit) this.sample.add(chunk.xyz, i, priorities[k]);
-      const slot = findSlot(table, mask, places[k], keys[k], mates[k]);
+      const key = keys[k];
+      const mate = mates[k];
+      let slot = places[k];
+      while (table[slot + 3] !== 0 && (table[slot] !== key || table[slot + 1] !== mate))
+        slot = (slot + (1 << SLOT_SHIFT)) & mask;
       const kept = table[slot + 3] - 1;
-      const lead = priorities[k] - table[slot + 2];
+      // Most points lose their cell to the one kept there.
+      if (kept >= 0 && priority > table[slot + 2]) continue;
       if (kept < 0) {
-        table[slot] = keys[k];
-        table[slot + 1] = mates[k];
-        table[slot + 2] = priorities[k];
+        table[slot] = key;
+        table[slot + 1] = mate;
+        table[slot + 2] = priority;
         table[slot + 3] = this.count + 1;
         this.#put(chunk, i, this.count++);
-      } else if (lead < 0 || (lead === 0 && this.#precedes(chunk, i, kept))) {
-        table[slot + 2] = priorities[k];
+      } else if (priority < table[slot + 2] || this.#precedes(chunk, i, kept)) {
+        table[slot + 2] = priority;
         this.#put(chunk, i, kept);
       }
     }
+  }
+
+  /** Bounds grow, −0 becomes 0 (one place, different bits), and points without a place are counted; false where there are any. */
+  #takeIn(xyz: Float64Array, begin: number, end: number): boolean {
+    const { min, max } = this.bounds;
+    let [minX, minY, minZ] = min;
+    let [maxX, maxY, maxZ] = max;
+    let dropped = 0;
+    for (let i = 3 * begin; i < 3 * end; i += 3) {
+      const x = xyz[i];
+      const y = xyz[i + 1];
+      const z = xyz[i + 2];
+      if (!(Math.abs(x) <= FARTHEST && Math.abs(y) <= FARTHEST && Math.abs(z) <= FARTHEST)) {
+        dropped++;
+        continue;
+      }
+      if (x === 0) xyz[i] = 0;
+      if (y === 0) xyz[i + 1] = 0;
+      if (z === 0) xyz[i + 2] = 0;
+      if (x < minX) minX = x;
+      if (x > maxX) maxX = x;
+      if (y < minY) minY = y;
+      if (y > maxY) maxY = y;
+      if (z < minZ) minZ = z;
+      if (z > maxZ) maxZ = z;
+    }
+    [min[0], min[1], min[2]] = [minX, minY, minZ];
+    [max[0], max[1], max[2]] = [maxX, maxY, maxZ];
+    this.dropped += dropped;
+    return dropped === 0;
   }
 
   /** Room in arrays and table for one more run. */
