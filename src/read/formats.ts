@@ -1,6 +1,9 @@
 import { FloorPlanError } from '../core/errors.ts';
 import type { ByteSource } from './bytes/source.ts';
 import type { OpenCloud, ReadFormat } from './cloud-reader.ts';
+import { GLTF_FORMAT } from './mesh/gltf.ts';
+import { OBJ_FORMAT } from './mesh/obj.ts';
+import { PCD_FORMAT } from './pcd/pcd.ts';
 import { PLY_FORMAT } from './ply/ply.ts';
 import { HEAD_BYTES, isText, recogniseForeign } from './signatures.ts';
 import { CSV_FORMAT } from './text/csv.ts';
@@ -11,6 +14,9 @@ import { CSV_FORMAT } from './text/csv.ts';
  */
 export const READ_FORMATS = {
   ply: PLY_FORMAT,
+  pcd: PCD_FORMAT,
+  glb: GLTF_FORMAT,
+  obj: OBJ_FORMAT,
   csv: CSV_FORMAT,
 } as const satisfies Record<string, ReadFormat>;
 
@@ -45,7 +51,10 @@ export function detectFormat(head: Uint8Array, name: string): ReadFormatName {
   if (byContent) return byContent;
   const foreign = recogniseForeign(head);
   // A text that is no sure table: its reader can say where it goes wrong.
-  if (!foreign && isText(head) && isNamedAs('csv', name)) return 'csv';
+  if (!foreign && isText(head)) {
+    const text = (['csv', 'obj'] as const).find((format) => isNamedAs(format, name));
+    if (text) return text;
+  }
   const named = READ_FORMAT_NAMES.find((format) => isNamedAs(format, name));
   const expected = named ? `a ${READ_FORMATS[named].label} file` : labels();
   const found = foreign ?? (isText(head) ? 'text that is no table of points' : 'bytes of no known kind');

@@ -41,7 +41,11 @@ export function makeScan(thinning: Thinning, { name, format, bytes, cloud, targe
     ...(cloud.unit && { unit: cloud.unit }),
     ...(cloud.crs && { crs: cloud.crs }),
     stations: cloud.stations ?? [],
-    warnings: [...cloud.warnings, ...warningsOf(thinning, target), ...coarseFloats(thinning, origin, target)],
+    warnings: [
+      ...cloud.warnings,
+      ...warningsOf(thinning, cloud, target),
+      ...coarseFloats(thinning, origin, target),
+    ],
   };
 }
 
@@ -58,9 +62,9 @@ function positionsOf({ xyz }: Thinning, indices: Uint32Array, origin: Vec3): Flo
   return positions;
 }
 
-function warningsOf({ dropped, read, cell, count }: Thinning, target: number): Warning[] {
+function warningsOf({ dropped, read, cell, count }: Thinning, cloud: OpenCloud, target: number): Warning[] {
   const warnings: Warning[] = [];
-  if (dropped > 0) {
+  if (dropped > 0 && !cloud.hasEmptyPlaces) {
     warnings.push({
       code: 'read/points-dropped',
       message: `${dropped} of ${read} points have no place, or one beyond ±${FARTHEST.toExponential(0)}, and were left out.`,

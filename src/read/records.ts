@@ -24,6 +24,8 @@ export interface RecordField {
   readonly offset: number;
   readonly scale?: number;
   readonly shift?: number;
+  /** Bytes from a value to the next, where the field's values lie in a column of their own. */
+  readonly stride?: number;
 }
 
 /** Binary records of one length. */
@@ -70,10 +72,10 @@ export function decodeRecords(
   buffer: PointBuffer,
 ): void {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  for (const { field, type, offset, scale = 1, shift = 0 } of fields) {
+  for (const { field, type, offset, scale = 1, shift = 0, stride: own = stride } of fields) {
     const column = buffer.column(field);
     if (!column) continue;
-    decodeColumn({ view, type, offset: begin + offset, stride, isLittleEndian }, column, count);
+    decodeColumn({ view, type, offset: begin + offset, stride: own, isLittleEndian }, column, count);
     if (scale !== 1 || shift !== 0) scaleColumn(column, count, scale, shift);
   }
   buffer.count += count;

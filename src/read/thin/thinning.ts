@@ -268,8 +268,8 @@ function growBounds({ min, max }: Box, { xyz, count }: PointChunk): void {
   [max[0], max[1], max[2]] = [maxX, maxY, maxZ];
 }
 
-/** False for NaN too. */
-function isPlace(xyz: Float64Array, at: number): boolean {
+/** Whether a point is somewhere, `at` its x; false for NaN too. */
+export function isPlace(xyz: Float64Array, at: number): boolean {
   return (
     Math.abs(xyz[at]) <= FARTHEST && Math.abs(xyz[at + 1]) <= FARTHEST && Math.abs(xyz[at + 2]) <= FARTHEST
   );
