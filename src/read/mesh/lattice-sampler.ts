@@ -24,7 +24,7 @@ interface Corner {
  * Points of one square lattice in the plane of each triangle: exactly one a step² of its area, on the average over
  * where the triangle lies.
  *
- * Axes and phase of the lattice depend on nothing but the plane's direction and the source's coordinates. So the points
+ * Axes and phase of the lattice depend on nothing but the plane's direction and the mesh's lowest coordinates. So the points
  * do not depend on the order of triangles and corners, and both triangles of a rectangle, cut along either diagonal, give
  * the same points; a point on a shared edge belongs to one side only.
  */
@@ -80,16 +80,15 @@ export class LatticeSampler {
   /** Turns to a triangle, by its place among the corners; false where it has no area or no place. */
   start(triangle: number): boolean {
     const { triangles } = this.#mesh;
-    const [low, mid, high] = this.#corners;
-    low.at = 3 * triangles[triangle];
-    mid.at = 3 * triangles[triangle + 1];
-    high.at = 3 * triangles[triangle + 2];
+    this.#corners.forEach((corner, i) => {
+      corner.at = 3 * triangles[triangle + i];
+    });
     if (!this.#layLattice()) return false;
     this.#placeCorners();
     this.#sortCorners();
     if (this.#colour) this.#layShades();
     this.found = 0;
-    this.#row = this.#isCountable() ? Math.ceil(low.beta) - 1 : Infinity;
+    this.#row = this.#isCountable() ? Math.ceil(this.#corners[0].beta) - 1 : Infinity;
     this.#column = 0;
     this.#rowEnd = 0;
     return true;

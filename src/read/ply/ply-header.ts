@@ -54,8 +54,8 @@ export interface PlyHeader {
 const VERTEX_LISTS = ['vertex_indices', 'vertex_index'];
 
 /** Which property of an element lists the vertices of a face; −1 where it has no faces. */
-export function vertexListOf({ count, properties }: PlyElement): number {
-  if (count === 0) return -1;
+export function vertexListOf({ name: element, count, properties }: PlyElement): number {
+  if (element !== 'face' || count === 0) return -1;
   return properties.findIndex(({ name, countType }) => countType && VERTEX_LISTS.includes(name));
 }
 
