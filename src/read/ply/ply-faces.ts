@@ -38,7 +38,10 @@ export class FaceRecords {
     for (this.#face = 0; this.#face < faces.count; this.#face++) {
       for (let index = 0; index < faces.properties.length; index++) {
         const property = faces.properties[index];
-        const count = property.countType ? await this.#countOf(property.countType) : 1;
+        const { countType } = property;
+        // Waiting once a face would cost more than reading it.
+        if (countType && cursor.available < valueBytes(countType)) await this.#need(valueBytes(countType));
+        const count = countType ? this.#takeCount(countType) : 1;
         const bytes = count * valueBytes(property.type);
         if (cursor.available < bytes) await this.#need(bytes);
         if (index === list) this.#readCorners(count, property, builder.vertices);
@@ -48,14 +51,13 @@ export class FaceRecords {
     }
   }
 
-  async #countOf(type: PlyType): Promise<number> {
+  /** The cursor holds the count. */
+  #takeCount(type: PlyType): number {
     const { cursor } = this.#stream;
-    const bytes = valueBytes(type);
-    if (cursor.available < bytes) await this.#need(bytes);
     const count = this.#value(type, cursor.position);
     if (!(count >= 0 && count <= MOST_ITEMS))
       throw this.#malformed(`a list of up to ${MOST_ITEMS} items`, count);
-    cursor.position += bytes;
+    cursor.position += valueBytes(type);
     return Math.floor(count);
   }
 
