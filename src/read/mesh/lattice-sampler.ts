@@ -102,7 +102,8 @@ export class LatticeSampler {
         if (this.count === CHUNK_POINTS) return false;
         this.#fillRow();
       }
-      if (++this.#row >= high) return true;
+      // Ends on NaN too.
+      if (!(++this.#row < high)) return true;
       this.#startRow();
     }
   }

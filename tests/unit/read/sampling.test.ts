@@ -240,6 +240,19 @@ describe('sampling', () => {
   });
 });
 
+it('ends on areas too small for a number', () => {
+  const builder = new MeshBuilder('a');
+  for (const [x, y] of [
+    [0, 0],
+    [1e-162, 0],
+    [0, 1e-162],
+  ])
+    builder.addVertex(x, y, 0);
+  builder.addTriangle(0, 1, 2);
+  builder.addPoints(0, 1);
+  expect(samples(builder.build(), 0).length).toBeGreaterThan(0);
+});
+
 describe('a mesh as a cloud', () => {
   const cloudOf = (mesh: Mesh) => meshCloud({ source: memorySource('', 'a.obj'), load: async () => mesh });
   const count = async (mesh: Mesh, spacing: number) => {
