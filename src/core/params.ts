@@ -27,7 +27,7 @@ export const PARAMS = {
     source: 'ours',
   }),
   resolution: number({
-    default: 0.02,
+    default: 0.01,
     min: 0.001,
     max: 0.5,
     step: 0.001,

@@ -22,6 +22,8 @@ export interface OpenCloud {
   readonly pointsAnnounced?: number;
   /** What the chunks hold depends on the spacing asked for: surfaces that are sampled, an octree. */
   readonly isAdaptive?: boolean;
+  /** A grid of directions, of which those without a return are points without a place: no reason for a warning. */
+  readonly hasEmptyPlaces?: boolean;
   /** Where each scanner stood, source units and coordinates, by `station`; filled while reading. */
   readonly stations?: readonly Vec3[];
   /**

@@ -2,6 +2,9 @@ import { FloorPlanError } from '../core/errors.ts';
 import type { ReadFormat } from './cloud-reader.ts';
 import { E57_FORMAT } from './e57/e57.ts';
 import { COPC_FORMAT, LAS_FORMAT, LAZ_FORMAT } from './las/las.ts';
+import { GLTF_FORMAT } from './mesh/gltf.ts';
+import { OBJ_FORMAT } from './mesh/obj.ts';
+import { PCD_FORMAT } from './pcd/pcd.ts';
 import { PLY_FORMAT } from './ply/ply.ts';
 import { PTS_FORMAT } from './pts/pts.ts';
 import { PTX_FORMAT } from './ptx/ptx.ts';
@@ -20,6 +23,9 @@ export const READ_FORMATS = {
   e57: E57_FORMAT,
   ptx: PTX_FORMAT,
   pts: PTS_FORMAT,
+  pcd: PCD_FORMAT,
+  glb: GLTF_FORMAT,
+  obj: OBJ_FORMAT,
   csv: CSV_FORMAT,
 } as const satisfies Record<string, ReadFormat>;
 
@@ -35,7 +41,7 @@ export const ARCHIVES = {
 
 export type ReadFormatName = keyof typeof READ_FORMATS;
 
-const TEXT_FORMATS = ['ptx', 'pts', 'csv'] as const satisfies readonly ReadFormatName[];
+const TEXT_FORMATS = ['ptx', 'pts', 'csv', 'obj'] as const satisfies readonly ReadFormatName[];
 
 export const READ_FORMAT_NAMES = Object.keys(READ_FORMATS) as readonly ReadFormatName[];
 

@@ -50,7 +50,7 @@ export function makeScan(
     warnings: [
       ...cloud.warnings,
       ...warnings,
-      ...warningsOf(thinning, target),
+      ...warningsOf(thinning, cloud, target),
       ...coarseFloats(thinning, origin, target),
     ],
   };
@@ -78,9 +78,9 @@ function positionsOf({ xyz }: Thinning, indices: Uint32Array, origin: Vec3): Flo
   return positions;
 }
 
-function warningsOf({ dropped, read, cell, count }: Thinning, target: number): Warning[] {
+function warningsOf({ dropped, read, cell, count }: Thinning, cloud: OpenCloud, target: number): Warning[] {
   const warnings: Warning[] = [];
-  if (dropped > 0) {
+  if (dropped > 0 && !cloud.hasEmptyPlaces) {
     warnings.push({
       code: 'read/points-dropped',
       message: `${dropped.toLocaleString('en-GB')} of ${countOf(read, 'point')} left out: without a place, or beyond ±${FARTHEST.toExponential(0)}.`,

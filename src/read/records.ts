@@ -26,6 +26,8 @@ export interface RecordField {
   readonly shift?: number;
   /** Bits of a whole number that are the value. */
   readonly mask?: number;
+  /** Bytes from a value to the next, where the field's values lie in a column of their own. */
+  readonly stride?: number;
 }
 
 /** Binary records of one length. */
@@ -92,10 +94,10 @@ function decodeRun(
   buffer: PointBuffer,
 ): void {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  for (const { field, type, offset, scale = 1, shift = 0, mask } of fields) {
+  for (const { field, type, offset, scale = 1, shift = 0, mask, stride: own = stride } of fields) {
     const column = buffer.column(field);
     if (!column) continue;
-    decodeColumn({ view, type, offset: begin + offset, stride, isLittleEndian }, column, count);
+    decodeColumn({ view, type, offset: begin + offset, stride: own, isLittleEndian }, column, count);
     if (mask !== undefined) maskColumn(column, count, mask);
     if (scale !== 1 || shift !== 0) scaleColumn(column, count, scale, shift);
   }

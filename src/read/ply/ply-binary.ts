@@ -18,7 +18,8 @@ export interface PlyBody {
   readonly colourRange: ColourRange;
 }
 
-interface Decoder {
+/** A body on its way through a cursor. */
+export interface PlyDecoder {
   readonly cursor: ByteCursor;
   readonly buffer: PointBuffer;
   readonly vertex: PlyElement;
@@ -45,19 +46,24 @@ export async function* readBinaryPly(
   const cursor = new ByteCursor(source.stream(), progress);
   const vertex = body.elements[body.elements.length - 1];
   const buffer = new PointBuffer((field) => body.columns[field] >= 0, body.colourRange);
-  const decoder = { cursor, buffer, vertex, body, name: source.name };
   try {
-    await skipBytes(decoder, body.begin);
-    for (const element of body.elements.slice(0, -1)) await skipElement(decoder, element);
-    const stride = recordBytes(vertex);
-    if (stride === null) yield* readListRecords(decoder);
-    else yield* readRecords(fixedRecords(decoder, stride));
+    yield* readBinaryVertices({ cursor, buffer, vertex, body, name: source.name });
   } finally {
     await cursor.close();
   }
 }
 
-function fixedRecords(decoder: Decoder, stride: number): RecordStream {
+/** The vertices; the cursor, which stood at the begin of the file, is left behind them. */
+export async function* readBinaryVertices(decoder: PlyDecoder): AsyncGenerator<PointChunk> {
+  const { body, vertex } = decoder;
+  await skipBytes(decoder, body.begin);
+  for (const element of body.elements.slice(0, -1)) await skipElement(decoder, element);
+  const stride = recordBytes(vertex);
+  if (stride === null) yield* readListRecords(decoder);
+  else yield* readRecords(fixedRecords(decoder, stride));
+}
+
+function fixedRecords(decoder: PlyDecoder, stride: number): RecordStream {
   const { cursor, buffer, vertex, body } = decoder;
   const fields: RecordField[] = [];
   let offset = 0;
@@ -71,7 +77,7 @@ function fixedRecords(decoder: Decoder, stride: number): RecordStream {
 }
 
 /** Vertices with lists among their properties: value by value, the lists passed over. */
-async function* readListRecords(decoder: Decoder): AsyncGenerator<PointChunk> {
+async function* readListRecords(decoder: PlyDecoder): AsyncGenerator<PointChunk> {
   const { buffer, vertex, body } = decoder;
   const values = new Float64Array(body.columns.length);
   const targets = vertex.properties.map((_, index) => body.columns.indexOf(index));
@@ -93,7 +99,8 @@ async function* readListRecords(decoder: Decoder): AsyncGenerator<PointChunk> {
   if (buffer.count > 0) yield buffer.take();
 }
 
-async function skipElement(decoder: Decoder, element: PlyElement): Promise<void> {
+/** Moves past all records of an element. */
+export async function skipElement(decoder: PlyDecoder, element: PlyElement): Promise<void> {
   const stride = recordBytes(element);
   if (stride !== null) return skipBytes(decoder, element.count * stride);
   for (let record = 0; record < element.count; record++) {
@@ -104,7 +111,7 @@ async function skipElement(decoder: Decoder, element: PlyElement): Promise<void>
   }
 }
 
-async function skipList(decoder: Decoder, { type }: PlyProperty, countType: PlyType): Promise<void> {
+async function skipList(decoder: PlyDecoder, { type }: PlyProperty, countType: PlyType): Promise<void> {
   if (decoder.cursor.available < valueBytes(countType)) await needBytes(decoder, valueBytes(countType));
   const bytes = Math.max(0, takeValue(decoder, countType)) * valueBytes(type);
   if (decoder.cursor.available >= bytes) decoder.cursor.position += bytes;
@@ -112,22 +119,22 @@ async function skipList(decoder: Decoder, { type }: PlyProperty, countType: PlyT
 }
 
 /** The cursor holds the value. */
-function takeValue({ cursor, body }: Decoder, type: PlyType): number {
+function takeValue({ cursor, body }: PlyDecoder, type: PlyType): number {
   const { bytes, position } = cursor;
   const view = new DataView(bytes.buffer, bytes.byteOffset + position);
   cursor.position += valueBytes(type);
   return NUMBER_READERS[NUMBER_TYPE_OF[type]](view, 0, body.isLittleEndian);
 }
 
-async function needBytes(decoder: Decoder, length: number): Promise<void> {
+async function needBytes(decoder: PlyDecoder, length: number): Promise<void> {
   if (!(await decoder.cursor.fill(length))) throw truncated(decoder);
 }
 
-async function skipBytes(decoder: Decoder, length: number): Promise<void> {
+async function skipBytes(decoder: PlyDecoder, length: number): Promise<void> {
   if (!(await decoder.cursor.skip(length))) throw truncated(decoder);
 }
 
-function truncated({ cursor, vertex, name }: Decoder): FloorPlanError {
+function truncated({ cursor, vertex, name }: PlyDecoder): FloorPlanError {
   const offset = cursor.offset + cursor.available;
   return new FloorPlanError(
     'input/truncated',

@@ -50,6 +50,15 @@ export interface PlyHeader {
   readonly bodyLine: number;
 }
 
+/** What writers call the list of a face's vertices. */
+const VERTEX_LISTS = ['vertex_indices', 'vertex_index'];
+
+/** Which property of an element lists the vertices of a face; −1 where it has no faces. */
+export function vertexListOf({ name: element, count, properties }: PlyElement): number {
+  if (element !== 'face' || count === 0) return -1;
+  return properties.findIndex(({ name, countType }) => countType && VERTEX_LISTS.includes(name));
+}
+
 /** A header with more comments than this is none. */
 const MAX_HEADER_BYTES = 1 << 20;
 const FIRST_TRY_BYTES = 1 << 13;

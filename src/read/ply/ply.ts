@@ -1,5 +1,6 @@
 import { countOf } from '../../core/count-words.ts';
 import { FloorPlanError } from '../../core/errors.ts';
+import type { Warning } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, ReadFormat } from '../cloud-reader.ts';
 import { columnsOfFields } from '../field-names.ts';
@@ -7,19 +8,20 @@ import { type ColourRange, RED, Z } from '../point-buffer.ts';
 import { latin1 } from '../signatures.ts';
 import { BLANK, LIST } from '../text/row-parser.ts';
 import { readTextPoints } from '../text/text-points.ts';
-import { readBinaryPly, recordBytes } from './ply-binary.ts';
-import { type PlyElement, type PlyHeader, readPlyHeader, valueBytes } from './ply-header.ts';
+import { type PlyBody, readBinaryPly, recordBytes } from './ply-binary.ts';
+import { type PlyElement, type PlyHeader, readPlyHeader, valueBytes, vertexListOf } from './ply-header.ts';
 
 export const PLY_FORMAT: ReadFormat = {
   label: 'PLY',
   extensions: ['ply'],
-  doc: 'Stanford polygon file, text or binary; vertices are read, with colour, intensity and class where present.',
+  doc: 'Stanford polygon file, text or binary; vertices with colour, intensity and class where present, or points sampled on the faces.',
   detect: (head) => /^ply\s/.test(latin1(head.subarray(0, 4))),
   open: openPly,
 };
 
 /**
- * Reads the header of a PLY file [Turk94]; its vertices are the points, all else is passed over.
+ * Reads the header of a PLY file [Turk94]; its vertices are the points, or where faces join them points on the faces;
+ * all else is passed over.
  *
  * @throws input/malformed, input/truncated, input/empty
  */
@@ -32,25 +34,43 @@ async function openPly(source: ByteSource): Promise<OpenCloud> {
   );
   assertPoints(source.name, vertex, columns);
   const elements = header.elements.slice(0, index + 1);
-  assertLongEnough(source, header, elements);
+  const body: PlyBody = {
+    elements,
+    columns,
+    begin: header.bodyBegin,
+    isLittleEndian: header.format === 'binary_little_endian',
+    colourRange: colourRange(vertex, columns),
+  };
+  const rows = textPoints(header, elements, columns);
+  // Bare vertices leave walls empty, so where faces join them the faces are the surfaces.
+  const faces = header.elements.findIndex((element, at) => at > index && vertexListOf(element) >= 0);
+  assertLongEnough(source, header, header.elements.slice(0, Math.max(index, faces) + 1));
+  const warnings: Warning[] = [];
+  if (faces >= 0) {
+    const { openPlyMesh } = await import('./ply-mesh.ts');
+    const after = header.elements.slice(index + 1, faces + 1);
+    const list = vertexListOf(header.elements[faces]);
+    const mesh = openPlyMesh({ source, header, body, layout: rows.layout, after, list });
+    if (mesh) return mesh;
+    warnings.push(tooManyFaces(header.elements[faces]));
+  }
   return {
     isSlice: false,
     pointsAnnounced: vertex.count,
     chunks: (progress) =>
       header.format === 'ascii'
-        ? readTextPoints(source, textPoints(header, elements, columns), progress)
-        : readBinaryPly(
-            source,
-            {
-              elements,
-              columns,
-              begin: header.bodyBegin,
-              isLittleEndian: header.format === 'binary_little_endian',
-              colourRange: colourRange(vertex, columns),
-            },
-            progress,
-          ),
-    warnings: [],
+        ? readTextPoints(source, rows, progress)
+        : readBinaryPly(source, body, progress),
+    warnings,
+  };
+}
+
+/** A mesh too large to be held is dense: its vertices are points enough. */
+function tooManyFaces({ count }: PlyElement): Warning {
+  return {
+    code: 'read/mesh-vertices-only',
+    message: `The mesh of ${count} faces is too large to be held; its vertices were taken as points.`,
+    hint: 'If walls show gaps, simplify the mesh.',
   };
 }
 
@@ -106,10 +126,10 @@ function assertLongEnough(
   for (const element of elements) needed += element.count * leastBytes(header, element);
   if (header.format === 'ascii') needed -= 1;
   if (needed <= size) return;
-  const { count } = elements[elements.length - 1];
+  const { count, name: what } = elements[elements.length - 1];
   throw new FloorPlanError(
     'input/truncated',
-    `${name}: expected ${countOf(count, 'point')} as the header says, at least ${needed} bytes; found the end of the file at byte ${size}`,
+    `${name}: expected ${countOf(count, what === 'vertex' ? 'point' : 'face')} as the header says, at least ${needed} bytes; found the end of the file at byte ${size}`,
     {
       hint: 'The file seems cut off; copy or export it again.',
       detail: { offset: size, needed, announced: count },

@@ -262,11 +262,6 @@ function isBefore(a: Float64Array, at: number, b: Float64Array, bt: number): boo
   return false;
 }
 
-/** −0 and 0 are one place but have different bits. */
-function clearNegativeZeros({ xyz, count }: PointChunk): void {
-  for (let i = 0; i < 3 * count; i++) if (xyz[i] === 0) xyz[i] = 0;
-}
-
 /** The largest power of two that is not above `value`. */
 export function powerOfTwoBelow(value: number): number {
   const power = 2 ** Math.floor(Math.log2(value));
@@ -285,27 +280,8 @@ interface Box {
   readonly max: [x: number, y: number, z: number];
 }
 
-function growBounds({ min, max }: Box, { xyz, count }: PointChunk): void {
-  let [minX, minY, minZ] = min;
-  let [maxX, maxY, maxZ] = max;
-  for (let i = 0; i < 3 * count; i += 3) {
-    const x = xyz[i];
-    const y = xyz[i + 1];
-    const z = xyz[i + 2];
-    if (!isPlace(xyz, i)) continue;
-    if (x < minX) minX = x;
-    if (x > maxX) maxX = x;
-    if (y < minY) minY = y;
-    if (y > maxY) maxY = y;
-    if (z < minZ) minZ = z;
-    if (z > maxZ) maxZ = z;
-  }
-  [min[0], min[1], min[2]] = [minX, minY, minZ];
-  [max[0], max[1], max[2]] = [maxX, maxY, maxZ];
-}
-
-/** False for NaN too. */
-function isPlace(xyz: Float64Array, at: number): boolean {
+/** Whether a point is somewhere, `at` its x; false for NaN too. */
+export function isPlace(xyz: Float64Array, at: number): boolean {
   return (
     Math.abs(xyz[at]) <= FARTHEST && Math.abs(xyz[at + 1]) <= FARTHEST && Math.abs(xyz[at + 2]) <= FARTHEST
   );

@@ -15,8 +15,10 @@ import {
   integerField,
   withChecksums,
 } from '../../unit/read/e57-bytes.ts';
+import { glbBytes, layOut } from '../../unit/read/glb-bytes.ts';
 import { CORNERS, geoKeys, lasBytes, wktRecord } from '../../unit/read/las/las-bytes.ts';
 import { bytesOf, memorySource } from '../../unit/read/memory-source.ts';
+import { pcdBytes } from '../../unit/read/pcd-bytes.ts';
 import { plyBytes } from '../../unit/read/ply-bytes.ts';
 import { ptxHeader } from '../../unit/read/ptx-text.ts';
 
@@ -45,12 +47,58 @@ const e57Scan = {
 const rowsOf = (end: string) => places.map((place) => `${place.join(' ')} 0.5\n`).join('') + end;
 const fixture = (name: string) =>
   new Uint8Array(readFileSync(fileURLToPath(new URL(`../../../fixtures/foreign/${name}`, import.meta.url))));
+const pcd = {
+  fields: [...['x', 'y', 'z', 'rgb'].map((name) => [name, 4, 'F'] as const), ['intensity', 2, 'U'] as const],
+  points: Array.from({ length: 20 }, (_, i) => [i % 5, (i * 7) % 11, (i * 3) % 13, i * 1e-39, i]),
+};
+const corners = [
+  [0, 0, 0],
+  [5, 0, 0],
+  [5, 4, 1],
+  [0, 4, 1],
+];
+const triangle = {
+  name: 'face',
+  properties: [{ name: 'vertex_indices', type: 'int', countType: 'uchar' }],
+  records: [[[0, 1, 2]], [[0, 2, 3, 1]]],
+} as const;
+const corner = {
+  name: 'vertex',
+  properties: vertex.properties.filter(({ name }) => 'xyz'.includes(name)),
+  records: corners,
+};
+const glb = layOut([Float32Array.from(corners.flat()), Uint16Array.of(0, 1, 2, 0, 2, 3)]);
+const model = {
+  asset: { version: '2.0' },
+  scenes: [{ nodes: [0] }],
+  nodes: [
+    { children: [1], scale: [1, 2, 3] },
+    { mesh: 0, rotation: [0, 1, 0, 0] },
+  ],
+  meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+  accessors: [
+    { bufferView: 0, componentType: 5126, count: 4, type: 'VEC3' },
+    { bufferView: 1, componentType: 5123, count: 6, type: 'SCALAR' },
+  ],
+  bufferViews: glb.bufferViews,
+};
+const uri = `data:application/octet-stream;base64,${btoa(String.fromCharCode(...glb.data))}`;
 
 /** Whole files whose bytes are then spoilt. */
 const GOOD = [
   plyBytes([vertex], { format: 'ascii' }),
   plyBytes([vertex], { format: 'binary_little_endian' }),
   plyBytes([{ ...vertex, name: 'face' }, vertex], { format: 'binary_big_endian' }),
+  plyBytes([corner, triangle], { format: 'ascii' }),
+  plyBytes([corner, triangle], { format: 'binary_big_endian' }),
+  pcdBytes(pcd, { data: 'ascii' }),
+  pcdBytes(pcd, { data: 'binary' }),
+  pcdBytes(pcd, { data: 'binary_compressed' }),
+  bytesOf(
+    `${corners.map((row) => `v ${row.join(' ')} 1 0 0.5\n`).join('')}f 1 2 3 4\nf -1//1 -2 \\\n -3/2\n`,
+  ),
+  glbBytes({ ...model, buffers: glb.buffers }, glb.data),
+  bytesOf(JSON.stringify({ ...model, buffers: [{ byteLength: glb.data.length, uri }] })),
   bytesOf(`x,y,z,r,g,b\n${records.map(([x, , y, z]) => [x, y, z, 1, 2, 3].join()).join('\n')}`),
   bytesOf(records.map(([x, , y]) => `${x},5 ${y},25\r`).join('')),
   gzipSync(bytesOf('x,y,z\n1,2,3\n4,5,6\n7,8,10\n')),
@@ -126,7 +174,7 @@ it('answers hostile bytes with a scan or a FloorPlanError', async () => {
   await fc.assert(
     fc.asyncProperty(
       hostile,
-      fc.constantFrom('a.ply', 'a.csv', 'a.laz', 'a'),
+      fc.constantFrom('a.ply', 'a.csv', 'a.laz', 'a.obj', 'a'),
       pieces,
       fc.boolean(),
       async (bytes, name, split, hasSize) => {

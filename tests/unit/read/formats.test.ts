@@ -9,6 +9,12 @@ describe('detection', () => {
     ['ply', 'ply\r\nformat ascii 1.0\n', 'scan'],
     ['csv', 'x,y,z\n1,2,3\n', 'scan.ply'],
     ['csv', '1 2 3\n', 'download'],
+    ['pcd', '# .PCD v.7 - Point Cloud Data file format\nVERSION .7\n', 'scan.txt'],
+    ['pcd', '# mine\nVERSION 0.7\nFIELDS x y z\n', 'scan'],
+    ['obj', '# room\nmtllib a.mtl\no Room\nv 1 2 3\nvn 0 0 1\nf 1 1 1\n', 'room'],
+    ['obj', '# nothing but a comment\n', 'room.obj'],
+    ['glb', 'glTF\x02\0\0\0', 'room'],
+    ['glb', '{ "asset": { "version": "2.0" } }', 'room.json'],
     ['csv', 'no numbers here\n', 'scan.csv'],
   ])('%s by content, else by extension: %j as %s', (format, text, name) => {
     expect(detectFormat(bytesOf(text), name)).toBe(format);

@@ -57,8 +57,8 @@ describe.each(FORMATS)('PLY %s', (format) => {
   });
 
   it('passes over other elements and over lists', async () => {
-    const face: PlyContent = {
-      name: 'face',
+    const strip: PlyContent = {
+      name: 'strip',
       properties: [{ name: 'vertex_indices', type: 'int', countType: 'uchar' }, ...single('short', 'flags')],
       records: [
         [[0, 1, 2], 5],
@@ -83,7 +83,7 @@ describe.each(FORMATS)('PLY %s', (format) => {
       [1, 2, 3],
       [4, 5, 6],
     ];
-    const bytes = plyBytes([face, camera, vertex, face], { format });
+    const bytes = plyBytes([strip, camera, vertex, strip], { format });
     expect((await read(bytes)).xyz).toEqual(expected);
     expect((await read(bytes, [1])).xyz).toEqual(expected);
   });

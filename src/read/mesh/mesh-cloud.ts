@@ -1,0 +1,109 @@
+import { countOf } from '../../core/count-words.ts';
+import { FloorPlanError } from '../../core/errors.ts';
+import type { Unit, Warning } from '../../core/types.ts';
+import type { ByteSource } from '../bytes/source.ts';
+import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
+import type { Mesh } from './mesh.ts';
+import { finestStep, type MeshSize, measureMesh, sampleMesh } from './sample-mesh.ts';
+
+/** Points on a mesh whose unit is not known yet: enough to see floors and ceilings. */
+const ROUGH_POINTS = 200_000;
+/**
+ * Points and rows of a sampling, half a minute of work: at cells of 8 mm 3,800 m² of surface with all their samples,
+ * 15,000 m² with one a cell.
+ */
+const MOST_SAMPLES = 2.5e8;
+/** Samples a cell's edge: a surface that crosses a cell leaves a point in it. */
+const SAMPLES_PER_SPACING = 2;
+/** After so many chunks other work gets a turn, such as a request to cancel. */
+const CHUNKS_A_TURN = 64;
+
+/** How a mesh comes about. */
+export interface MeshSource {
+  readonly source: ByteSource;
+  readonly unit?: Unit;
+  readonly warnings?: Warning[];
+  /** Reads the whole mesh. @throws FloorPlanError input/… */
+  load(progress: ReadProgress): Promise<Mesh>;
+}
+
+/** A mesh as a cloud of points sampled on its triangles; read once, sampled as often as asked. */
+export function meshCloud({ source, unit, warnings = [], load }: MeshSource): OpenCloud {
+  let loading: Promise<LoadedMesh> | undefined;
+  return {
+    isSlice: false,
+    isAdaptive: true,
+    ...(unit && { unit }),
+    warnings,
+    async *chunks(progress, spacing) {
+      loading ??= load(progress).then((mesh) => loaded(source.name, mesh));
+      yield* samplesOf(await loading, { source, warnings, progress, spacing });
+    },
+  };
+}
+
+interface LoadedMesh {
+  readonly mesh: Mesh;
+  readonly size: MeshSize;
+}
+
+interface Sampling {
+  readonly source: ByteSource;
+  readonly warnings: Warning[];
+  readonly progress: ReadProgress;
+  /** 0: a rough whole. */
+  readonly spacing: number;
+}
+
+async function* samplesOf({ mesh, size }: LoadedMesh, sampling: Sampling): AsyncGenerator<PointChunk> {
+  const { source, progress, spacing } = sampling;
+  const finest = finestStep(size, MOST_SAMPLES);
+  const wanted = spacing > 0 ? spacing / SAMPLES_PER_SPACING : Math.sqrt(size.area / ROUGH_POINTS);
+  const step = Math.max(wanted, finest);
+  if (spacing > 0) sampling.warnings.splice(0, Infinity, ...warningsOf(sampling, size, step));
+  let chunks = 0;
+  for (const chunk of sampleMesh(mesh, { step, isEveryTriangleSeen: spacing > 0 })) {
+    if (source.size !== undefined) progress(source.size);
+    yield chunk;
+    if (++chunks % CHUNKS_A_TURN === 0) await source.slice(0, 1);
+  }
+}
+
+function warningsOf({ warnings, spacing }: Sampling, { misplaced }: MeshSize, step: number): Warning[] {
+  const own = warnings.filter(({ code }) => !code.startsWith('read/mesh-'));
+  if (misplaced > 0) {
+    own.push({
+      code: 'read/mesh-triangles-dropped',
+      message: `${countOf(misplaced, 'triangle')} left out: a corner has no place.`,
+      hint: 'If a wall is missing in the plan, export the model again.',
+    });
+  }
+  if (step > spacing) {
+    own.push({
+      code: 'read/mesh-coarsened',
+      message: `The mesh is so large that it was sampled every ${step.toPrecision(2)} source units.`,
+      hint: 'Check the unit, or cut away what is not the building.',
+    });
+  }
+  return own;
+}
+
+/** @throws input/empty, input/degenerate */
+function loaded(name: string, mesh: Mesh): LoadedMesh {
+  const size = measureMesh(mesh);
+  if (mesh.points.length > 0 || size.area > 0) return { mesh, size };
+  const count = mesh.triangles.length / 3;
+  if (count === 0) {
+    throw new FloorPlanError('input/empty', `${name}: expected triangles or points, found none`, {
+      hint: 'Export the model again, with its geometry.',
+    });
+  }
+  throw new FloorPlanError(
+    'input/degenerate',
+    `${name}: expected triangles with an area, found ${count} without`,
+    {
+      hint: 'Export the model again; its vertices may have been flattened or lost.',
+      detail: { triangles: count },
+    },
+  );
+}
