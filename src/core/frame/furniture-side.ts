@@ -3,9 +3,9 @@ import type { Vec3 } from '../types.ts';
 import { multiply, type Rotation, rotate, rotationToZ } from './rotation.ts';
 import type { SurfacePatches } from './surface-patches.ts';
 
-/** Columns a patch edge: with 32 points a patch, a column through a table top holds eight. */
-const COLUMNS_A_PATCH = 2;
-const FEWEST_POINTS = 4;
+/** Columns a patch edge: with 32 points a patch, a column through a table top holds three or four. */
+const COLUMNS_A_PATCH = 3;
+const FEWEST_POINTS = 3;
 /** Points this share of a room's height from its floor and ceiling belong to those. */
 const MARGIN = 0.1;
 /** A column that spans more of the room's height stands in a wall or a door lintel, not on furniture. */
@@ -13,6 +13,13 @@ const SPAN = 0.1;
 /** The fuller side must hold this many times as many columns, and by this many deviations of a count. */
 const LEAD = 1.5;
 const SIGNIFICANT = 3;
+/** A column counts where its four neighbours are such columns too: undersides of lintels and window sills are narrower. */
+const NEIGHBOURS = [
+  [1, 0],
+  [-1, 0],
+  [0, 1],
+  [0, -1],
+] as const;
 
 /** The space between two neighbouring planes, along the up vector from the positions' origin. */
 export interface RoomGap {
@@ -25,8 +32,8 @@ export interface RoomGap {
  * clear.
  *
  * A column that is filled in one half of the room only, at about one height, is a table top, seat or bed – or
- * a lamp. Walls fill both halves, lintels span too much; counting voxels of any kind instead was wrong for
- * rooms with many doors. O(n), at most a million points are looked at.
+ * a lamp. Walls fill both halves; what reaches as far as floor or ceiling is a lintel, or a flank; counting voxels
+ * of any kind instead was wrong for rooms with many doors. O(n), at most a million points are looked at.
  *
  * @param upright source axes → plan axes
  * @param up estimate of up, source axes
@@ -76,12 +83,26 @@ function fillColumns({ positions, stride, r, edge }: Sampled, { low, high }: Roo
     highs[column] = Math.max(highs[column] ?? height, height);
   }
   const middle = (low + high) / 2;
+  const sides = Int8Array.from(counts, (count, i) => {
+    if (count < FEWEST_POINTS || highs[i] - lows[i] > SPAN * (high - low)) return 0;
+    if (highs[i] < middle) return lows[i] > bottom + edge ? 1 : 0;
+    return lows[i] > middle && highs[i] < top - edge ? -1 : 0;
+  });
+  return countWide(table, sides);
+}
+
+/** Columns of either side amid others of their side. */
+function countWide(table: CellTable, sides: Int8Array) {
   let lower = 0;
   let upper = 0;
-  for (let i = 0; i < counts.length; i++) {
-    if (counts[i] < FEWEST_POINTS || highs[i] - lows[i] > SPAN * (high - low)) continue;
-    if (highs[i] < middle) lower++;
-    else if (lows[i] > middle) upper++;
+  for (let column = 0; column < sides.length; column++) {
+    const side = sides[column];
+    if (side === 0) continue;
+    const [u, v] = table.coordinatesOf(column);
+    const isWide = NEIGHBOURS.every(([du, dv]) => sides[table.find(u + du, v + dv, 0)] === side);
+    if (!isWide) continue;
+    if (side > 0) lower++;
+    else upper++;
   }
   return { lower, upper };
 }

@@ -61,6 +61,18 @@ describe('up', () => {
     expect(codes).toEqual([]);
   });
 
+  test('an empty flat is not turned over by the lintels of its doors', () => {
+    const lintels: number[] = [];
+    for (const x of [1, 2.5, 4.5]) {
+      for (let u = 0; u < 0.9; u += 0.03) {
+        for (let v = 0; v < 0.24; v += 0.03) lintels.push(x + u, v, 2.05);
+        for (let z = 2.05; z < 2.7; z += 0.03) lintels.push(x + u, 0.24, z);
+      }
+    }
+    const flat = concat(roomPoints({ hasTable: false }), Float64Array.from(lintels));
+    expect(run(makeScan(flat)).cloud.frame.up).toBe('z');
+  });
+
   test('y up gives the plan (x, −z)', () => {
     const source = transform(ROOM, transpose(uprightRotation('y')));
     const { cloud } = run(makeScan(source, { origin: [10, 20, 30] }));
