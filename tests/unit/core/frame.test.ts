@@ -63,10 +63,10 @@ describe('up', () => {
 
   test('an empty flat is not turned over by the lintels of its doors', () => {
     const lintels: number[] = [];
-    for (const x of [1, 2.5, 4.5]) {
+    for (const x of [0.5, 2, 3.5, 5]) {
       for (let u = 0; u < 0.9; u += 0.03) {
-        for (let v = 0; v < 0.24; v += 0.03) lintels.push(x + u, v, 2.05);
-        for (let z = 2.05; z < 2.7; z += 0.03) lintels.push(x + u, 0.24, z);
+        for (let v = 0; v < 0.24; v += 0.03) lintels.push(x + u, v, 2.2);
+        for (let z = 2.2; z < 2.7; z += 0.03) lintels.push(x + u, 0.24, z);
       }
     }
     const flat = concat(roomPoints({ hasTable: false }), Float64Array.from(lintels));
