@@ -46,7 +46,7 @@ export function orient(scan: Scan, options: Options, context: StageContext): Poi
   if (flatUp) return orientFlat(scan, flatUp, options, context);
   const patches = surfacePatches(scan.positions);
   context.progress(0.4);
-  const gravity = findGravity(scan.positions, patches, options.up);
+  const gravity = findGravity(scan.positions, patches, options.up, scan.up);
   if (gravity.isDoubtful) {
     context.warn({
       code: 'frame/up-guessed',

@@ -59,6 +59,8 @@ export interface Scan {
   readonly isSlice: boolean;
   /** The unit the file states, if it states one. */
   readonly unit?: Unit;
+  /** The axis that is up by the format's own rule; files break it now and then. */
+  readonly up?: Axis;
   /** EPSG code or WKT, if the file states one. */
   readonly crs?: string;
   readonly warnings: readonly Warning[];

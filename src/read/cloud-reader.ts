@@ -1,4 +1,4 @@
-import type { Unit, Vec3, Warning } from '../core/types.ts';
+import type { Axis, Unit, Vec3, Warning } from '../core/types.ts';
 import type { ByteSource } from './bytes/source.ts';
 
 /** Some tens of thousands of points on their way from a reader to the thinning. The arrays may be used again. */
@@ -17,6 +17,8 @@ export interface OpenCloud {
   /** Two columns only: a ready slice in the plan frame. */
   readonly isSlice: boolean;
   readonly unit?: Unit;
+  /** The axis that is up by the format's own rule. */
+  readonly up?: Axis;
   readonly crs?: string;
   /** Points the header announces; undefined where it does not. */
   readonly pointsAnnounced?: number;

@@ -45,6 +45,7 @@ export function makeScan(
     cellSize: thinning.cell,
     isSlice: cloud.isSlice,
     ...(cloud.unit && { unit: cloud.unit }),
+    ...(cloud.up && { up: cloud.up }),
     ...(cloud.crs && { crs: cloud.crs }),
     stations: cloud.stations ?? [],
     warnings: [

@@ -22,11 +22,13 @@ export function mergeClouds(parts: readonly CloudPart[]): OpenCloud {
   const stations: Vec3[] = [];
   const crs = sameCrs(parts, warnings);
   const unit = agreed(parts, 'unit', ({ cloud }) => cloud.unit);
+  const up = agreed(parts, 'up axis', ({ cloud }) => cloud.up);
   const counts = parts.map(({ cloud }) => cloud.pointsAnnounced);
   return {
     isSlice: agreed(parts, 'kind', ({ cloud }) => cloud.isSlice) ?? false,
     isAdaptive: parts.some(({ cloud }) => cloud.isAdaptive),
     ...(unit && { unit }),
+    ...(up && { up }),
     ...(crs && { crs }),
     ...(!counts.includes(undefined) && {
       pointsAnnounced: counts.reduce<number>((sum, n) => sum + (n ?? 0), 0),

@@ -42,18 +42,24 @@ export interface Gravity {
  *
  * @param positions the points the patches were fitted to
  * @param given the axis a person named; nothing is judged then
+ * @param stated the axis the format names: trusted as z is, and never found upside down
  */
-export function findGravity(positions: Float32Array, patches: SurfacePatches, given: Axis | 'auto'): Gravity {
+export function findGravity(
+  positions: Float32Array,
+  patches: SurfacePatches,
+  given: Axis | 'auto',
+  stated?: Axis,
+): Gravity {
   if (given !== 'auto') {
     const { normal, planes } = lookAlong(patches, axisVector(given));
     return { up: given, normal, planes, reason: `${given} is up because it was given.`, isDoubtful: false };
   }
-  const [best, second] = rankAxes(positions, patches);
+  const [best, second] = rankAxes(positions, patches, stated);
   if (best.score === 0) {
     const reason = 'No floor or ceiling was found; z is up by convention.';
     return { up: 'z', normal: axisVector('z'), planes: best.planes, reason, isDoubtful: true };
   }
-  const isUpsideDown = best.furniture < 0;
+  const isUpsideDown = best.axis !== stated && best.furniture < 0;
   const up: Axis = isUpsideDown ? `-${best.axis}` : best.axis;
   const { normal, planes } = isUpsideDown ? lookAlong(patches, axisVector(up)) : best;
   const side = isUpsideDown ? '; the furniture side shows that it points down in the file' : '';
@@ -67,10 +73,10 @@ export function findGravity(positions: Float32Array, patches: SurfacePatches, gi
 }
 
 /** The axes, likeliest first; furniture is looked for along those that come near. */
-function rankAxes(positions: Float32Array, patches: SurfacePatches) {
+function rankAxes(positions: Float32Array, patches: SurfacePatches, stated?: Axis) {
   const seen = AXES.map((axis) => {
     const along = lookAlong(patches, axisVector(axis));
-    return { axis, ...along, score: TRUST[axis] * along.area };
+    return { axis, ...along, score: (axis === stated ? 1 : TRUST[axis]) * along.area };
   });
   const most = Math.max(...seen.map(({ score }) => score));
   return seen

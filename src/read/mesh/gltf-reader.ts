@@ -41,7 +41,13 @@ export async function openGltf(source: ByteSource): Promise<OpenCloud> {
     });
   }
   const model = { gltf, file: { ...file, text: '' }, primitives: primitivesOf(gltf) };
-  return meshCloud({ source, unit: 'm', warnings, load: (progress) => readModel(source, model, progress) });
+  return meshCloud({
+    source,
+    unit: 'm',
+    up: 'y',
+    warnings,
+    load: (progress) => readModel(source, model, progress),
+  });
 }
 
 /** A part of a mesh, with everywhere it stands. */

@@ -1,6 +1,6 @@
 import { countOf } from '../../core/count-words.ts';
 import { FloorPlanError } from '../../core/errors.ts';
-import type { Unit, Warning } from '../../core/types.ts';
+import type { Axis, Unit, Warning } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
 import type { Mesh } from './mesh.ts';
@@ -22,18 +22,21 @@ const CHUNKS_A_TURN = 64;
 export interface MeshSource {
   readonly source: ByteSource;
   readonly unit?: Unit;
+  /** By the format's own rule. */
+  readonly up?: Axis;
   readonly warnings?: Warning[];
   /** Reads the whole mesh. @throws FloorPlanError input/… */
   load(progress: ReadProgress): Promise<Mesh>;
 }
 
 /** A mesh as a cloud of points sampled on its triangles; read once, sampled as often as asked. */
-export function meshCloud({ source, unit, warnings = [], load }: MeshSource): OpenCloud {
+export function meshCloud({ source, unit, up, warnings = [], load }: MeshSource): OpenCloud {
   let loading: Promise<LoadedMesh> | undefined;
   return {
     isSlice: false,
     isAdaptive: true,
     ...(unit && { unit }),
+    ...(up && { up }),
     warnings,
     async *chunks(progress, spacing) {
       loading ??= load(progress).then((mesh) => loaded(source.name, mesh));

@@ -73,6 +73,13 @@ describe('up', () => {
     expect(run(makeScan(flat)).cloud.frame.up).toBe('z');
   });
 
+  test('a model that stands by its format is not turned over by lamps, and keeps its own axis where that is wrong', () => {
+    const source = transform(ROOM, transpose(uprightRotation('-y')));
+    expect(run(makeScan(source)).cloud.frame.up).toBe('-y');
+    expect(run(makeScan(source, { up: 'y' })).cloud.frame.up).toBe('y');
+    expect(run(makeScan(ROOM, { up: 'y' })).cloud.frame.up).toBe('z');
+  });
+
   test('y up gives the plan (x, −z)', () => {
     const source = transform(ROOM, transpose(uprightRotation('y')));
     const { cloud } = run(makeScan(source, { origin: [10, 20, 30] }));
