@@ -11,7 +11,7 @@ const AXES = ['z', 'y', 'x'] as const;
  * anything x up.
  */
 const TRUST = { z: 1, y: 0.75, x: 0.5 } as const;
-/** An axis along which furniture clearly stands on one side is this many times as likely. */
+/** An axis along which furniture clearly stands on the lower side is this many times as likely; few scans hang it from above. */
 const FURNISHED = 2;
 /** A runner-up this close makes the choice doubtful. */
 const DOUBTFUL = 0.9;
@@ -84,7 +84,7 @@ function rankAxes(positions: Float32Array, patches: SurfacePatches, stated?: Axi
       if (along.score * FURNISHED < most || most === 0) return { ...along, furniture: 0 };
       const rotation = { upright: uprightRotation(along.axis), up: along.normal };
       const furniture = furnitureSide(positions, patches, rotation, roomGaps(along.planes));
-      return { ...along, furniture, score: furniture === 0 ? along.score : FURNISHED * along.score };
+      return { ...along, furniture, score: furniture > 0 ? FURNISHED * along.score : along.score };
     })
     .sort((a, b) => b.score - a.score);
 }
