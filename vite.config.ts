@@ -43,7 +43,7 @@ const contentSecurityPolicy: Plugin = {
 const site: UserConfig = {
   base: './',
   plugins: [contentSecurityPolicy],
-  build: { outDir: 'dist/site', target: 'es2023' },
+  build: { outDir: 'dist/site', target: 'es2023', license: { fileName: 'licences.md' } },
 };
 
 /** The doors of the package: library, element class, registration, worker. */
@@ -54,6 +54,7 @@ const library: UserConfig = {
     emptyOutDir: false,
     target: 'es2023',
     minify: false,
+    license: { fileName: 'licences.md' },
     lib: {
       entry: {
         index: 'src/index.ts',
@@ -78,6 +79,7 @@ const command: UserConfig = {
     emptyOutDir: false,
     target: 'node20',
     minify: false,
+    license: { fileName: 'licences-cli.md' },
     rolldownOptions: { output: { entryFileNames: 'cli.js', codeSplitting: false } },
   },
 };
