@@ -61,6 +61,8 @@ export function valueWords(row: ParamRow): string {
       return 'auto|0|1|2|low:high';
     case 'doors':
       return 'none|gaps|x,y,width[,height];…';
+    case 'crop':
+      return 'none|x0,y0,x1,y1[,z0,z1]';
   }
 }
 

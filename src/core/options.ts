@@ -1,3 +1,4 @@
+import { CROP_WORDS, parseCrop } from './crop-box.ts';
 import { parseDoors } from './doors.ts';
 import { FloorPlanError } from './errors.ts';
 import {
@@ -99,6 +100,7 @@ function checkValue(name: ParamName, value: unknown, found: unknown): void {
   const row: ParamRow = PARAMS[name];
   // Of several doors it matters which one is wrong.
   if (row.kind === 'doors' && typeof value === 'string') parseDoors(value);
+  if (row.kind === 'crop' && typeof value === 'string') parseCrop(value);
   const expected = expectation(row, value);
   if (expected === null) return;
   const words = Array.isArray(found) ? found.join(',') : String(found);
@@ -141,6 +143,8 @@ function expectation(row: ParamRow, value: unknown): string | null {
       return isLevelChoice(value) ? null : 'auto, 0, 1, 2 or low:high in metres';
     case 'doors':
       return typeof value === 'string' ? null : 'none, gaps or x,y,width[,height];…';
+    case 'crop':
+      return typeof value === 'string' ? null : CROP_WORDS;
   }
 }
 

@@ -55,9 +55,21 @@ export interface LevelRow extends RowFacts<LevelChoice> {
 export interface DoorsRow extends RowFacts<string> {
   readonly kind: 'doors';
 }
+/** `none`, or a box `x0,y0,x1,y1[,z0,z1]` in source units and coordinates; `parseCrop` reads it. */
+export interface CropRow extends RowFacts<string> {
+  readonly kind: 'crop';
+}
 export type LevelChoice = 'auto' | '0' | '1' | '2' | `${number}:${number}`;
 
-export type ParamRow = NumberRow | AutoNumberRow | FlagRow | ChoiceRow | ChoiceListRow | LevelRow | DoorsRow;
+export type ParamRow =
+  | NumberRow
+  | AutoNumberRow
+  | FlagRow
+  | ChoiceRow
+  | ChoiceListRow
+  | LevelRow
+  | DoorsRow
+  | CropRow;
 
 const px = (value: number): Pixels => ({ px: value, power: 1 });
 const px2 = (value: number): Pixels => ({ px: value, power: 2 });
@@ -80,6 +92,7 @@ const choiceList = <const C extends string>(
 ): ChoiceListRow<C> => ({ kind: 'choice-list', choices, ...row });
 const level = (row: Omit<LevelRow, 'kind'>): LevelRow => ({ kind: 'level', ...row });
 const doors = (row: Omit<DoorsRow, 'kind'>): DoorsRow => ({ kind: 'doors', ...row });
+const crop = (row: Omit<CropRow, 'kind'>): CropRow => ({ kind: 'crop', ...row });
 
 /**
  * Every number a person may set: options, ranges, controls, attributes, flags and docs are made from this table,
@@ -101,9 +114,8 @@ export const PARAMS = {
     unit: 'm',
     stage: 'read',
     label: 'Working resolution',
-    doc: 'Points closer together than about this are thinned to one while reading.',
+    doc: 'Uniform down-sampling: points closer together than about this are thinned to one while reading.',
     source: 'ours',
-    advanced: true,
   }),
   pointBudget: number({
     default: 4_000_000,
@@ -122,6 +134,17 @@ export const PARAMS = {
     stage: 'read',
     label: 'Unit',
     doc: 'Unit of the source coordinates; auto takes it from the file, else judges it from storey height and extent.',
+    source: 'ours',
+  }),
+  metresPerUnit: autoNumber({
+    default: 'auto',
+    min: 1e-6,
+    max: 10_000,
+    step: 1e-6,
+    unit: 'm',
+    stage: 'read',
+    label: 'Scale: length of one unit',
+    doc: 'True length of one source unit, for scans without a scale, as photogrammetry makes them: a known distance over the same distance in source units. It takes the place of the unit; auto goes by the unit.',
     source: 'ours',
   }),
   pixelsPerMetre: number({
@@ -150,6 +173,13 @@ export const PARAMS = {
     doc: 'A scan tilted by a few degrees is turned upright by its floor plane.',
     source: 'ours',
     advanced: true,
+  }),
+  crop: crop({
+    default: 'none',
+    stage: 'crop',
+    label: 'Crop box',
+    doc: 'Only the points in this box are used: x0,y0,x1,y1, seen from above as in plan.geojson, and where heights count ,z0,z1; all in source units and coordinates.',
+    source: 'ours',
   }),
   outlierNeighbours: number({
     default: 8,

@@ -1,5 +1,5 @@
 import { polygonArea, vertexCount } from '../core/geometry/rings.ts';
-import type { Axis, Unit, Warning } from '../core/types.ts';
+import type { Axis, FrameUnit, Warning } from '../core/types.ts';
 import { checkSolid } from '../solid/check-solid.ts';
 import type { RunResult } from './result.ts';
 
@@ -13,7 +13,8 @@ export interface Report {
     readonly pointsRead: number;
     readonly pointsKept: number;
     readonly up: Axis;
-    readonly unit: Unit;
+    readonly unit: FrameUnit;
+    readonly metresPerUnit: number;
     /** Source axes, units and coordinates. */
     readonly bounds: { readonly min: readonly number[]; readonly max: readonly number[] };
   };
@@ -48,10 +49,10 @@ export interface Report {
 export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: number): Report {
   const { scan, cloud, levels, boundary, plan, solid, stages, warnings } = result;
   const { name, format, bytes, pointsRead, pointsKept } = scan.facts;
-  const { up, unit } = cloud.frame;
+  const { up, unit, metresPerUnit } = cloud.frame;
   return {
     version: 1,
-    input: { name, format, bytes, pointsRead, pointsKept, up, unit, bounds: scan.bounds },
+    input: { name, format, bytes, pointsRead, pointsKept, up, unit, metresPerUnit, bounds: scan.bounds },
     levels,
     boundary: {
       method: boundary.method,

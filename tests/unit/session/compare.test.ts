@@ -21,7 +21,7 @@ test('another run leaves plan, evidence and cache as they are, and shares the st
   expect(session.reports).toBe(reports);
 
   const cached = other.stages.filter(({ isCached }) => isCached).map(({ name }) => name);
-  expect(cached).toEqual(['read', 'frame', 'outliers', 'level', 'slice']);
+  expect(cached).toEqual(['read', 'frame', 'crop', 'outliers', 'level', 'slice']);
   expect(other.results.slice).toBe(evidence.slice);
   expect(other.results.boundary.method).toBe('convex');
   expect(other.results.solid).toBe(other.solid);
