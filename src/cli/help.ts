@@ -57,6 +57,8 @@ export function valueWords(row: ParamRow): string {
       return 'none|gaps|x,y,width[,height];…';
     case 'classes':
       return 'all|CODE,CODE-CODE,…';
+    case 'crop':
+      return 'none|x0,y0,x1,y1[,z0,z1]';
   }
 }
 

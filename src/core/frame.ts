@@ -2,8 +2,9 @@ import type { StageContext } from './context.ts';
 import { checkSpread } from './frame/check-spread.ts';
 import { fitTilt, MOST_TILT } from './frame/fit-tilt.ts';
 import { findGravity, type Gravity } from './frame/gravity.ts';
-import { findHeightPlanes, type HeightPlane } from './frame/height-planes.ts';
+import { findHeightPlanes } from './frame/height-planes.ts';
 import { type JudgedUnit, judgeSliceUnit, judgeUnitFrom, statedUnit } from './frame/judge-unit.ts';
+import { FLOOR_COSINE, refinedPlanes } from './frame/refined-planes.ts';
 import { boundsOf, largestExtent, trimmedBounds } from './frame/robust-scale.ts';
 import {
   axisVector,
@@ -17,12 +18,6 @@ import { type SurfacePatches, surfacePatches } from './frame/surface-patches.ts'
 import type { Options } from './params.ts';
 import type { Axis, Frame, PointCloud, Scan, Vec3 } from './types.ts';
 
-/** Cone around up in which a patch counts as floor or ceiling, once the cloud is upright. */
-const FLOOR_COSINE = Math.cos((8 * Math.PI) / 180);
-/** Points within three standard deviations of the noise, and at least a bin of heights, belong to a plane. */
-const PLANE_REACH = 3;
-const PLANE_BINS = 12;
-const REFINE_ROUNDS = 4;
 /**
  * Trimmed bounds grown by this share hold a centroid's points: all of a clean cloud, no far stray of another.
  */
@@ -83,41 +78,21 @@ function uprightCloud({ scan, patches, gravity, unit, tilted }: Upright): PointC
     tilt: tilted ? angleOf(tilted) : 0,
   });
   const up: Vec3 = [rotation[6], rotation[7], rotation[8]];
-  const { floor, ceiling } = findHeightPlanes(patches, up, FLOOR_COSINE);
+  const planes = findHeightPlanes(patches, up, FLOOR_COSINE);
   const lift = up.reduce((sum, u, k) => sum + u * (scan.origin[k] - origin[k]), 0);
   const positions = toPlan(scan, frame);
-  const reach = unit.metresPerUnit * Math.max(PLANE_REACH * patches.noise, patches.size / PLANE_BINS);
-  const heightOf = (plane: HeightPlane | null) =>
-    plane && refineHeight(positions, unit.metresPerUnit * (plane.height + lift), reach);
   return {
     frame,
     positions,
     attributes: scan.attributes,
     stations: stationsInPlan(scan, frame),
-    floor: heightOf(floor),
-    ceiling: heightOf(ceiling),
+    ...refinedPlanes(positions, planes, patches, {
+      scale: unit.metresPerUnit,
+      lift: unit.metresPerUnit * lift,
+    }),
     reasons: { unit: unit.reason, up: gravity.reason },
     isFlat: false,
   };
-}
-
-/**
- * Moves a plane's height to the mean of the points around it, again and again: patches are cut at voxel
- * faces.
- */
-function refineHeight(positions: Float32Array, height: number, reach: number): number {
-  let refined = height;
-  for (let round = 0; round < REFINE_ROUNDS; round++) {
-    let sum = 0;
-    let count = 0;
-    for (let i = 2; i < positions.length; i += 3) {
-      if (Math.abs(positions[i] - refined) > reach) continue;
-      sum += positions[i] - refined;
-      count++;
-    }
-    if (count > 0) refined += sum / count;
-  }
-  return refined;
 }
 
 /** A ready slice lies in the plan frame already. */
@@ -192,7 +167,7 @@ function warnOfGuess(unit: JudgedUnit, context: StageContext): void {
   context.warn({
     code: 'frame/unit-guessed',
     message: unit.reason,
-    hint: 'If sizes look wrong, set the unit.',
+    hint: 'If sizes look wrong, set the unit, or metresPerUnit from one length you know.',
   });
 }
 

@@ -1,4 +1,5 @@
 import { parseClasses } from './classes.ts';
+import { CROP_WORDS, parseCrop } from './crop-box.ts';
 import { formatDoors, parseDoors } from './doors.ts';
 import { FloorPlanError } from './errors.ts';
 import type { AutoNumberRow, NumberRow, ParamRow } from './param-rows.ts';
@@ -100,6 +101,7 @@ function powerOf({ unit }: NumberRow | AutoNumberRow): 0 | 1 | 2 {
 function checkValue(name: ParamName, value: unknown, found: unknown): void {
   const row: ParamRow = PARAMS[name];
   if (row.kind === 'classes' && typeof value === 'string') parseClasses(value);
+  if (row.kind === 'crop' && typeof value === 'string') parseCrop(value);
   const expected = expectation(row, value);
   if (expected === null) return;
   const words = Array.isArray(found) ? found.join(',') : String(found);
@@ -144,6 +146,8 @@ function expectation(row: ParamRow, value: unknown): string | null {
       return typeof value === 'string' ? null : 'none, gaps or x,y,width[,height];…';
     case 'classes':
       return typeof value === 'string' ? null : 'all or class codes: 2,6';
+    case 'crop':
+      return typeof value === 'string' ? null : CROP_WORDS;
   }
 }
 

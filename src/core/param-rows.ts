@@ -59,6 +59,10 @@ export interface DoorsRow extends RowFacts<string> {
 export interface ClassesRow extends RowFacts<string> {
   readonly kind: 'classes';
 }
+/** `none`, or a box `x0,y0,x1,y1[,z0,z1]` in source units and coordinates; `parseCrop` reads it. */
+export interface CropRow extends RowFacts<string> {
+  readonly kind: 'crop';
+}
 export type LevelChoice = 'auto' | '0' | '1' | '2' | `${number}:${number}`;
 
 export type ParamRow =
@@ -69,7 +73,8 @@ export type ParamRow =
   | ChoiceListRow
   | LevelRow
   | DoorsRow
-  | ClassesRow;
+  | ClassesRow
+  | CropRow;
 
 export const px = (value: number): Pixels => ({ px: value, power: 1 });
 export const px2 = (value: number): Pixels => ({ px: value, power: 2 });
@@ -95,3 +100,4 @@ export const choiceList = <const C extends string>(
 export const level = (row: Omit<LevelRow, 'kind'>): LevelRow => ({ kind: 'level', ...row });
 export const doors = (row: Omit<DoorsRow, 'kind'>): DoorsRow => ({ kind: 'doors', ...row });
 export const classes = (row: Omit<ClassesRow, 'kind'>): ClassesRow => ({ kind: 'classes', ...row });
+export const crop = (row: Omit<CropRow, 'kind'>): CropRow => ({ kind: 'crop', ...row });

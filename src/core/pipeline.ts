@@ -1,4 +1,5 @@
 import { findBoundary } from './boundary.ts';
+import { cropCloud } from './crop.ts';
 import { orient } from './frame.ts';
 import { vertexCount } from './geometry/rings.ts';
 import { chooseLevel } from './level.ts';
@@ -9,7 +10,7 @@ import { makePlan } from './plan.ts';
 import { regulariseBoundary } from './regularise.ts';
 import { findSecondary } from './secondary.ts';
 import { makeSlice } from './slice.ts';
-import { sourceCoordinates } from './source-coordinates.ts';
+import { sayScale, sayUnit, sourceCoordinates } from './source-coordinates.ts';
 import type { FloorPlan, Frame, Scan } from './types.ts';
 import { findWallPoints } from './wall-columns.ts';
 
@@ -23,11 +24,17 @@ const TOLD_PRECISION = 0.01;
  * @throws option/…, input/degenerate, input/too-few-points, result/…, cancelled
  */
 export async function planScan(scan: Scan, options: Options, run: PipelineRun): Promise<FloorPlan> {
-  const cloud = await run.stage(
+  const whole = await run.stage(
     'frame',
     options,
     (context) => orient(scan, options, context),
-    ({ frame }) => `${frame.up} up, ${frame.unit}`,
+    ({ frame }) => `${frame.up} up, ${sayScale(frame.unit, frame.metresPerUnit)}`,
+  );
+  const cloud = await run.stage(
+    'crop',
+    options,
+    () => cropCloud(whole, options),
+    ({ positions }) => (options.crop === 'none' ? 'no box' : count(positions.length / 3, 'point')),
   );
   const placeInSource = (x: number, y: number) => tellPlace(cloud.frame, x, y);
   const total = cloud.positions.length / 3;
@@ -90,7 +97,7 @@ function tellPlace(frame: Frame, x: number, y: number): string {
   const to = sourceCoordinates(frame, TOLD_PRECISION);
   // Twice, since rounding may leave a negative zero.
   const read = (value: number) => Number(value.toFixed(to.digits)).toFixed(to.digits);
-  return `(${read(to.x(x))}, ${read(to.y(y))}) ${frame.unit}`;
+  return `(${read(to.x(x))}, ${read(to.y(y))}) ${sayUnit(frame.unit)}`;
 }
 
 function count(n: number, singular: string, plural = `${singular}s`): string {

@@ -1,4 +1,4 @@
-import type { Frame } from './types.ts';
+import type { Frame, FrameUnit } from './types.ts';
 
 /** What a written coordinate may be off by, m. */
 const WRITTEN = 1e-4;
@@ -10,6 +10,16 @@ export interface SourceCoordinates {
   y(planY: number): number;
   /** Decimals that keep the precision in the source's unit. */
   readonly digits: number;
+}
+
+/** The unit behind a coordinate: `m`; `units` where it has no name. */
+export function sayUnit(unit: FrameUnit): string {
+  return unit === 'custom' ? 'units' : unit;
+}
+
+/** The unit as a fact of a scan: `m`, `1 unit = 0.372 m`. */
+export function sayScale(unit: FrameUnit, metresPerUnit: number): string {
+  return unit === 'custom' ? `1 unit = ${Number(metresPerUnit.toPrecision(4))} m` : unit;
 }
 
 /** The way back: a place in source units and coordinates, seen from above, as plan metres. */

@@ -14,6 +14,8 @@ import type {
 export interface StageResults {
   readonly read: Scan;
   readonly frame: PointCloud;
+  /** The points of {@link frame} in the crop box; the same cloud where there is none. */
+  readonly crop: PointCloud;
   /** Indices of the points that are no outliers. */
   readonly outliers: Uint32Array;
   readonly level: ChosenLevel;

@@ -20,7 +20,13 @@ export const STAGES = {
     label: 'Orient',
     doc: 'The cloud is turned upright and levelled; its unit is judged.',
     source: '[Stojanovic19] §3',
-    share: 0.1,
+    share: 0.09,
+  },
+  crop: {
+    label: 'Crop',
+    doc: 'Points outside the crop box, where there is one, are left out.',
+    source: 'ours',
+    share: 0.01,
   },
   outliers: {
     label: 'Clean',

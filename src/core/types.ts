@@ -7,6 +7,8 @@ import type { Options } from './params.ts';
 
 export type Vec3 = readonly [x: number, y: number, z: number];
 export type Unit = 'm' | 'cm' | 'mm' | 'ft' | 'us-ft' | 'px';
+/** A unit, or one without a name: its `metresPerUnit` was given. */
+export type FrameUnit = Unit | 'custom';
 export type Axis = 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
 
 /** An open ring, flat: x0, y0, x1, y1, … in metres. The last vertex is not repeated. */
@@ -80,7 +82,7 @@ export interface Frame {
   /** Row-major 3 × 3, source axes → plan axes (right, ahead, up), levelling included. */
   readonly rotation: readonly number[];
   readonly metresPerUnit: number;
-  readonly unit: Unit;
+  readonly unit: FrameUnit;
   readonly up: Axis;
   /** Angle by which levelling tilted the cloud, radians. */
   readonly tilt: number;

@@ -1,3 +1,4 @@
+import { sayScale } from '../core/source-coordinates.ts';
 import { formatCount } from '../view/measure.ts';
 import type { Layout } from './contract.ts';
 import { makeFileChoice } from './file-choice.ts';
@@ -61,9 +62,14 @@ export function makeOpenButton(actions: Actions, testid = 'file-input'): HTMLLab
 
 function factsOf({ view, name }: Model): string {
   if (!view) return name;
-  const { pointsKept, pointsRead, unit, up } = view.report.input;
+  const { pointsKept, pointsRead, unit, metresPerUnit, up } = view.report.input;
   const storeys = view.plan.storeys.length;
   const points = `${formatCount(pointsKept)} of ${formatCount(pointsRead)} points`;
-  const parts = [view.report.input.name, points, `in ${unit}`, `${up} up`];
+  const parts = [
+    view.report.input.name,
+    points,
+    unit === 'custom' ? sayScale(unit, metresPerUnit) : `in ${unit}`,
+    `${up} up`,
+  ];
   return [...parts, storeys === 1 ? '1 storey' : `${storeys} storeys`].join(' · ');
 }

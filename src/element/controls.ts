@@ -1,21 +1,31 @@
 import type { ParamRow } from '../core/param-rows.ts';
 import { type GivenValues, PARAMS, type ParamName } from '../core/params.ts';
 import { classesField } from './classes-field.ts';
+import { cropField } from './crop/crop-field.ts';
 import { doorsField } from './doors/doors-field.ts';
 import type { Field, FieldFacts } from './field.ts';
 import { icon } from './icon.ts';
 import { listField } from './list-field.ts';
-import { make, setAttribute } from './make.ts';
-import type { Actions, Panel } from './model.ts';
+import { make, setAttribute, setText } from './make.ts';
+import type { Actions, Model, Panel } from './model.ts';
 import { numberField } from './number-field.ts';
 import { sayChoice } from './plain-words.ts';
 
-/** The control of a parameter, made from its row: number, auto-number, flag, choice, choice-list, doors, classes. */
+/** Why a value that was found for the scan is what it is, beside the control that changes it. */
+const REASONS: Readonly<Partial<Record<ParamName, (model: Model) => string | undefined>>> = {
+  unit: ({ view }) => view?.reasons.unit,
+  up: ({ view }) => view?.reasons.up,
+};
+
+/** A unit named by hand ends a scale set by hand, which would count for more. */
+const TAKES_PLACE_OF: Readonly<Partial<Record<ParamName, object>>> = { unit: { metresPerUnit: undefined } };
+
+/** The control of a parameter, made from its row: number, auto-number, flag, choice, choice-list, doors, classes, crop. */
 export function makeControl(name: ParamName, actions: Actions): Panel {
   const row: ParamRow = PARAMS[name];
   const id = `param-${name}`;
   const change = (value: unknown, isFinal: boolean) =>
-    actions.change({ [name]: value } as GivenValues, isFinal);
+    actions.change({ [name]: value, ...(TAKES_PLACE_OF[name] ?? {}) } as GivenValues, isFinal);
   const field = makeField({ id, name, row, change }, actions);
   const reset = make(
     'button',
@@ -29,6 +39,7 @@ export function makeControl(name: ParamName, actions: Actions): Panel {
     icon('reset'),
   );
   const label = make('label', { for: id, class: 'control-label' }, row.label);
+  const reason = make('p', { class: 'reason', testid: `reason-${name}` });
   const help = make('p', { class: 'hint', id: `${id}-hint` }, row.doc);
   const head = make('div', { class: 'control-head' }, label, reset);
   const node = make(
@@ -36,6 +47,7 @@ export function makeControl(name: ParamName, actions: Actions): Panel {
     { class: `control control-${row.kind}`, 'data-param': name },
     head,
     field.node,
+    ...(name in REASONS ? [reason] : []),
     help,
   );
   return {
@@ -43,6 +55,7 @@ export function makeControl(name: ParamName, actions: Actions): Panel {
     show(model) {
       reset.hidden = model.given[name] === undefined;
       field.set(model.options[name], model);
+      setText(reason, REASONS[name]?.(model) ?? '');
       setAttribute(node, 'data-given', model.given[name] !== undefined);
     },
   };
@@ -51,8 +64,10 @@ export function makeControl(name: ParamName, actions: Actions): Panel {
 function makeField(facts: FieldFacts, actions: Actions): Field {
   switch (facts.row.kind) {
     case 'number':
-    case 'auto-number':
-      return numberField(facts, facts.row);
+    case 'auto-number': {
+      const field = numberField(facts, facts.row);
+      return facts.name === 'metresPerUnit' ? withMeasuring(field, actions) : field;
+    }
     case 'flag':
       return flagField(facts);
     case 'choice':
@@ -63,9 +78,27 @@ function makeField(facts: FieldFacts, actions: Actions): Field {
       return doorsField(facts, actions);
     case 'classes':
       return classesField(facts);
+    case 'crop':
+      return cropField(facts, actions);
     case 'level':
       throw new TypeError('The level has a picker of its own.');
   }
+}
+
+/** The scale by hand, and the way to the tool that finds it. */
+function withMeasuring(field: Field, actions: Actions): Field {
+  const button = make(
+    'button',
+    {
+      type: 'button',
+      class: 'button in-drawing',
+      testid: 'measure-in-drawing',
+      on: { click: () => actions.takeTool('measure') },
+    },
+    icon('ruler'),
+    'Measure a known length',
+  );
+  return { ...field, node: make('div', { class: 'with-tool' }, field.node, button) };
 }
 
 function flagField({ id, change }: FieldFacts): Field {

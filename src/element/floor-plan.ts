@@ -9,7 +9,7 @@ import type { Spawn } from '../worker/spawn.ts';
 import { ATTRIBUTES, LAYOUTS, type Layout, PARAM_ATTRIBUTES, type PlanState } from './contract.ts';
 import { bundleFiles, saveFile } from './files.ts';
 import { GivenOptions } from './given-options.ts';
-import type { Actions, Model, Stretch } from './model.ts';
+import type { Actions, Model, Stretch, Tool } from './model.ts';
 import { OpenedFiles } from './opened-files.ts';
 import { PlanMaker } from './plan-maker.ts';
 import { Shell } from './shell.ts';
@@ -22,8 +22,8 @@ const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 /** Keys that leaf through the steps. */
 const STEP_KEYS: Readonly<Record<string, 1 | -1>> = { '[': -1, ']': 1 };
 
-/** The key that takes up the tool for doors, or puts it down. */
-const DOOR_KEY = 'd';
+/** Keys that take up a tool, or put it down. */
+const TOOL_KEYS: Readonly<Record<string, Tool>> = { d: 'doors', m: 'measure', c: 'crop' };
 
 /** A File, a Blob, or an address, absolute or relative to the page. */
 export type ScanSource = Blob | URL | string;
@@ -53,7 +53,7 @@ export class FloorPlanElement extends Base {
   #spawnWorker: Spawn | null = null;
   #storey = 0;
   readonly #files = new OpenedFiles();
-  #isCutting = false;
+  #tool: Tool | null = null;
   #marked: Stretch | null = null;
   #rest = 0;
   #frame = 0;
@@ -196,7 +196,7 @@ export class FloorPlanElement extends Base {
       dismiss: () => this.#maker.dismiss(),
       setUnit: (unit) => this.setAttribute('display-units', unit),
       setLayout: (layout) => {
-        if (layout === '3d') this.#isCutting = false;
+        if (layout === '3d') this.#tool = null;
         this.setAttribute('view', layout);
       },
       setStorey: (storey) => {
@@ -210,7 +210,7 @@ export class FloorPlanElement extends Base {
       compare: ({ options, labels }, onProgress) =>
         this.#maker.compare({ options: { ...this.#given.now, ...options }, labels }, onProgress),
       stopComparing: () => this.#maker.stopComparing(),
-      cutDoors: (isCutting) => this.#cutDoors(isCutting),
+      takeTool: (tool) => this.#takeTool(tool),
       mark: (stretch) => {
         this.#marked = stretch;
         this.#invalidate();
@@ -221,16 +221,16 @@ export class FloorPlanElement extends Base {
   #showStep(name: string | null): void {
     this.#steps.open(name);
     if (name !== null) {
-      this.#isCutting = false;
+      this.#tool = null;
       this.#showSheet();
     }
     this.#invalidate();
   }
 
-  /** Doors are cut in the drawing, so that comes to the front. */
-  #cutDoors(isCutting: boolean): void {
-    this.#isCutting = isCutting && this.#maker.view !== null;
-    if (this.#isCutting) {
+  /** Tools work in the drawing, so that comes to the front. */
+  #takeTool(tool: Tool | null): void {
+    this.#tool = this.#maker.view ? tool : null;
+    if (this.#tool) {
       this.#steps.open(null);
       this.#showSheet();
     }
@@ -343,22 +343,23 @@ export class FloorPlanElement extends Base {
         pictures: this.#steps.pictures,
         picture: this.#steps.picture,
       },
-      isCutting: this.#isCutting,
+      tool: this.#tool,
       marked: this.#marked,
     };
   }
 
   readonly #key = (event: KeyboardEvent): void => {
     const [target] = event.composedPath();
-    if (event.key === 'Escape' && this.#isCutting) this.#cutDoors(false);
+    if (event.key === 'Escape' && this.#tool) this.#takeTool(null);
     // In a field the browser's own undo comes first.
     const isTyping = target instanceof HTMLInputElement && ['number', 'text'].includes(target.type);
     if (isTyping) return;
     const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey;
     // In a list a letter chooses.
     const isChoosing = target instanceof HTMLSelectElement;
-    const isForDoors = isPlain && !isChoosing && this.hasAttribute('controls');
-    if (isForDoors && event.key.toLowerCase() === DOOR_KEY) this.#cutDoors(!this.#isCutting);
+    const isForTools = isPlain && !isChoosing && this.hasAttribute('controls');
+    const tool = isForTools ? TOOL_KEYS[event.key.toLowerCase()] : undefined;
+    if (tool) this.#takeTool(tool === this.#tool ? null : tool);
     const by = STEP_KEYS[event.key];
     if (by && this.#steps.picture) this.#moveStep(by);
     if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;

@@ -32,10 +32,11 @@ export class GivenOptions {
     this.#now = { ...others, ...value };
   }
 
-  /** @param isFinal false while a slider is on its way: a whole slide is one step */
+  /** `undefined` forgets a parameter. @param isFinal false while a slider is on its way: a whole slide is one step */
   change(change: GivenValues, isFinal: boolean): void {
     this.#before ??= this.#now;
-    this.#now = { ...this.#now, ...change };
+    const changed = Object.entries({ ...this.#now, ...change });
+    this.#now = Object.fromEntries(changed.filter(([, value]) => value !== undefined));
     if (!isFinal) return;
     if (!isEqual(this.#before, this.#now)) this.#history.leave(this.#before);
     this.#before = null;
@@ -62,9 +63,9 @@ export class GivenOptions {
   }
 }
 
-/** Unit, axis, scale, thinning: how to take the scan, not how to make its plan. */
+/** Unit, axis, scale, crop, thinning: how to take the scan, not how to make its plan. */
 function isOfScan(name: ParamName): boolean {
-  return ['read', 'frame'].includes(PARAMS[name].stage);
+  return ['read', 'frame', 'crop'].includes(PARAMS[name].stage);
 }
 
 function isEqual(a: GivenValues, b: GivenValues): boolean {

@@ -2,6 +2,7 @@ import check from 'lucide-static/icons/check.svg?raw';
 import chevron from 'lucide-static/icons/chevron-right.svg?raw';
 import alert from 'lucide-static/icons/circle-alert.svg?raw';
 import help from 'lucide-static/icons/circle-question-mark.svg?raw';
+import crop from 'lucide-static/icons/crop.svg?raw';
 import door from 'lucide-static/icons/door-open.svg?raw';
 import download from 'lucide-static/icons/download.svg?raw';
 import open from 'lucide-static/icons/folder-open.svg?raw';
@@ -14,6 +15,7 @@ import dark from 'lucide-static/icons/moon.svg?raw';
 import plus from 'lucide-static/icons/plus.svg?raw';
 import redo from 'lucide-static/icons/redo-2.svg?raw';
 import reset from 'lucide-static/icons/rotate-ccw.svg?raw';
+import ruler from 'lucide-static/icons/ruler.svg?raw';
 import samples from 'lucide-static/icons/shapes.svg?raw';
 import light from 'lucide-static/icons/sun.svg?raw';
 import warning from 'lucide-static/icons/triangle-alert.svg?raw';
@@ -25,6 +27,7 @@ const SOURCES = {
   check,
   chevron,
   close,
+  crop,
   dark,
   door,
   download,
@@ -37,6 +40,7 @@ const SOURCES = {
   plus,
   redo,
   reset,
+  ruler,
   samples,
   spinner,
   system,

@@ -40,11 +40,14 @@ export interface Model {
   readonly storey: number;
   readonly files: FilesShown;
   readonly steps: StepsShown;
-  /** The pointer cuts doors in the drawing. */
-  readonly isCutting: boolean;
+  /** What the pointer does in the drawing, beside moving it. */
+  readonly tool: Tool | null;
   /** A stretch of wall pointed out in the drawing. */
   readonly marked: Stretch | null;
 }
+
+/** Cuts doors, measures a known length, draws the crop box. */
+export type Tool = 'doors' | 'measure' | 'crop';
 
 /** From and to, plan metres. */
 export type Stretch = Pick<Gap, 'from' | 'to'>;
@@ -95,8 +98,8 @@ export interface Actions {
   /** What changed options make of the scan, beside its plan, which stays. @throws FloorPlanError */
   compare(request: ComparisonRequest, onProgress: (progress: Progress) => void): Promise<Comparison>;
   stopComparing(): void;
-  /** Gives the pointer in the drawing the tool that cuts doors, or takes it back. */
-  cutDoors(isCutting: boolean): void;
+  /** Gives the pointer in the drawing a tool; null takes it back. */
+  takeTool(tool: Tool | null): void;
   /** Points out a stretch of wall in the drawing; null takes that back. */
   mark(stretch: Stretch | null): void;
 }

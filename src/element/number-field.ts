@@ -28,7 +28,7 @@ export function numberField({ id, name, change }: FieldFacts, row: NumberRow | A
         const value = isQuantity ? readQuantity(name, number.value, pixelsPerMetre) : number.valueAsNumber;
         const isAllowed = value === 'auto' || (value >= min && value <= max);
         if (isAllowed) change(step % 1 === 0 && value !== 'auto' ? Math.round(value) : value, true);
-        setAttribute(number, 'aria-invalid', !isAllowed);
+        setAttribute(number, 'aria-invalid', isAllowed ? null : 'true');
       },
     },
   });
@@ -52,6 +52,8 @@ export function numberField({ id, name, change }: FieldFacts, row: NumberRow | A
   const auto = row.kind === 'auto-number' ? makeAuto(label, () => toggle()) : null;
   const toggle = () => {
     if (auto?.checked) change('auto', true);
+    // Without a slider there is no value to begin with but the one to be typed.
+    else if (slider.hidden) number.focus();
     else slide(true);
   };
   const suffix = make('span', { class: 'unit' }, unit);

@@ -1,4 +1,4 @@
-import { PARAM_NAMES, PARAMS } from '../core/params.ts';
+import { PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
 import { STAGE_NAMES } from '../core/stages.ts';
 import { iconButton } from './chips.ts';
 import { makeExportMenu } from './export-menu.ts';
@@ -10,8 +10,13 @@ import { makeRunStatus } from './run-status.ts';
 import { makeStageRow } from './stage-row.ts';
 import { makeWarningsList } from './warnings-list.ts';
 
+/** A panel that leads to any control. */
+export interface Rail extends Panel {
+  showControl(name: ParamName): void;
+}
+
 /** The run from top to bottom: how it stands, its stages with their parameters, its warnings, its exports. */
-export function makeRail(actions: Actions): Panel {
+export function makeRail(actions: Actions): Rail {
   const undo = iconButton('Undo', icon('undo'), () => actions.undo());
   const redo = iconButton('Redo', icon('redo'), () => actions.redo());
   const reset = iconButton('Reset all parameters', icon('reset'), () => actions.reset(PARAM_NAMES));
@@ -28,7 +33,12 @@ export function makeRail(actions: Actions): Panel {
   };
   const status = makeRunStatus(actions);
   const warnings = makeWarningsList({
-    'boundary/gap-bridged': { label: 'Make doors of gaps', run: () => showDoors() },
+    'boundary/gap-bridged': {
+      label: 'Make doors of gaps',
+      run: () => showControl('doors', '.door-list button'),
+    },
+    'frame/unit-guessed': { label: 'Set the unit', run: () => showControl('unit') },
+    'frame/up-guessed': { label: 'Set the up axis', run: () => showControl('up') },
   });
   // On a phone the rail lies over the picture it leads to.
   const leading: Actions = {
@@ -37,17 +47,17 @@ export function makeRail(actions: Actions): Panel {
       unfoldTo(false);
       actions.showStep(name);
     },
-    cutDoors: (isCutting) => {
+    takeTool: (tool) => {
       unfoldTo(false);
-      actions.cutDoors(isCutting);
+      actions.takeTool(tool);
     },
   };
   const preset = makePresetPicker(actions);
   const rows = STAGE_NAMES.map((stage) => makeStageRow(stage, leading));
-  const showDoors = () => {
+  const showControl = (name: ParamName, selector = `#param-${name}`) => {
     unfoldTo(true);
-    const row = rows[STAGE_NAMES.indexOf(PARAMS.doors.stage)];
-    openAt(row.node as HTMLDetailsElement, '.door-list button');
+    const row = rows[STAGE_NAMES.indexOf(PARAMS[name].stage)];
+    openAt(row.node as HTMLDetailsElement, selector);
   };
   const exports = makeExportMenu(actions);
   const heading = make('div', { class: 'section-head' }, make('h2', {}, 'Steps'), undo, redo, reset);
@@ -64,6 +74,7 @@ export function makeRail(actions: Actions): Panel {
   const panels = [status, warnings, preset, ...rows, exports];
   return {
     node,
+    showControl: (name) => showControl(name),
     show(model) {
       undo.disabled = !model.canUndo;
       redo.disabled = !model.canRedo;

@@ -1,3 +1,4 @@
+import type { AxisEvents } from '../view/axis-gizmo.ts';
 import type { SceneContent, SceneLayers, SceneView } from '../view/scene.ts';
 import type { PlanView } from '../worker/protocol.ts';
 import { iconButton, toggleChip } from './chips.ts';
@@ -11,6 +12,7 @@ const LAYERS = { model: 'Model', cloud: 'Points', grid: 'Grid', ceiling: 'Ceilin
 export class ScenePane {
   readonly #host = make('div', { class: 'scene', part: 'scene', testid: 'scene-3d' });
   readonly #notice = make('p', { class: 'notice', hidden: true, role: 'status' });
+  readonly #axes: AxisEvents;
   readonly node: HTMLElement;
   #layers: SceneLayers = { model: true, cloud: true, grid: true, ceiling: false };
   #scene: SceneView | null = null;
@@ -20,7 +22,8 @@ export class ScenePane {
   /** Counts connections: a scene that opens after the element has left is thrown away. */
   #life = 0;
 
-  constructor() {
+  constructor(axes: AxisEvents) {
+    this.#axes = axes;
     const chips = (Object.keys(LAYERS) as (keyof SceneLayers)[]).map((layer) =>
       toggleChip(LAYERS[layer], this.#layers[layer], (isShown) => {
         this.#layers = { ...this.#layers, [layer]: isShown };
@@ -89,9 +92,10 @@ export class ScenePane {
     try {
       const { SceneView } = await import('../view/scene.ts');
       if (life !== this.#life) return null;
-      this.#scene = new SceneView(this.#host, (error) =>
-        this.#fail(`${error.message} ${error.hint} (${error.code})`),
-      );
+      this.#scene = new SceneView(this.#host, {
+        onFailed: (error) => this.#fail(`${error.message} ${error.hint} (${error.code})`),
+        ...this.#axes,
+      });
       return this.#scene;
     } catch {
       this.#fail(
@@ -109,5 +113,5 @@ export class ScenePane {
 
 function contentOf({ solid, cloud, plan }: PlanView): SceneContent {
   const top = Math.max(...plan.storeys.map(({ floor, height }) => floor + height));
-  return { solid, positions: cloud.positions, colour: cloud.colour, top };
+  return { solid, positions: cloud.positions, colour: cloud.colour, top, frame: plan.frame };
 }

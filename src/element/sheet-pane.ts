@@ -1,12 +1,48 @@
 import { SheetView } from '../view/sheet.ts';
 import type { PlanView } from '../worker/protocol.ts';
 import { iconButton, toggleChip } from './chips.ts';
+import { CropTool } from './crop/crop-tool.ts';
 import { DoorTool } from './doors/door-tool.ts';
-import { icon } from './icon.ts';
+import { type IconName, icon } from './icon.ts';
 import { make, setAttribute, setText } from './make.ts';
-import type { Actions, Model } from './model.ts';
+import { MeasureTool } from './measure/measure-tool.ts';
+import type { Actions, Model, Tool } from './model.ts';
+import type { PlanTool } from './plan-tool.ts';
 import type { StepsPane } from './steps/steps-pane.ts';
 import { makeSwitch } from './switch.ts';
+
+interface ToolChip {
+  readonly symbol: IconName;
+  readonly label: string;
+  readonly words: string;
+  readonly key: string;
+  readonly testid: string;
+}
+
+const CHIPS: Readonly<Record<Tool, ToolChip>> = {
+  doors: {
+    symbol: 'door',
+    label: 'Cut door',
+    words: 'Cut doors in the drawing',
+    key: 'D',
+    testid: 'cut-doors',
+  },
+  measure: {
+    symbol: 'ruler',
+    label: 'Measure',
+    words: 'Measure, and set the scale by a known length',
+    key: 'M',
+    testid: 'measure',
+  },
+  crop: {
+    symbol: 'crop',
+    label: 'Crop',
+    words: 'Draw a box around what is used',
+    key: 'C',
+    testid: 'crop',
+  },
+};
+const NOTHING = new Float64Array();
 
 /** The 2D view with what switches it: the drawing, or the steps that led to it. */
 export class SheetPane {
@@ -35,21 +71,17 @@ export class SheetPane {
     },
     'Compare',
   );
-  readonly #cut = make(
-    'button',
-    {
-      type: 'button',
-      class: 'chip',
-      testid: 'cut-doors',
-      title: 'Cut doors in the drawing (D)',
-      'aria-pressed': 'false',
-      'aria-keyshortcuts': 'D',
-      on: { click: () => this.#actions.cutDoors(!this.#model?.isCutting) },
-    },
-    icon('door'),
-    'Cut door',
+  readonly #zooms = make(
+    'div',
+    { class: 'zooms' },
+    iconButton('Zoom out', icon('minus'), () => this.#front?.zoomOut()),
+    iconButton('Zoom in', icon('plus'), () => this.#front?.zoomIn()),
+    iconButton('Show all of the plan', icon('fit'), () => this.#front?.fit()),
   );
-  readonly #doors: DoorTool;
+  readonly #chips: Readonly<Record<Tool, HTMLElement>>;
+  readonly #tools: Readonly<Record<Tool, PlanTool>>;
+  /** The one the sheet was given. */
+  #tool: Tool | null = null;
   readonly #actions: Actions;
   readonly node: HTMLElement;
   #sheet: SheetView | null = null;
@@ -66,7 +98,17 @@ export class SheetPane {
 
   constructor(actions: Actions) {
     this.#actions = actions;
-    this.#doors = new DoorTool(actions);
+    const redraw = () => this.#mark();
+    this.#tools = {
+      doors: new DoorTool(actions, redraw),
+      measure: new MeasureTool(actions, redraw),
+      crop: new CropTool(actions, redraw),
+    };
+    this.#chips = {
+      doors: this.#toolChip('doors'),
+      measure: this.#toolChip('measure'),
+      crop: this.#toolChip('crop'),
+    };
     this.node = make(
       'section',
       { class: 'pane pane-2d', 'aria-label': 'Plan' },
@@ -75,15 +117,13 @@ export class SheetPane {
         { class: 'tools' },
         this.#look.node,
         this.#points,
-        this.#cut,
+        ...Object.values(this.#chips),
         this.#storeys,
         this.#compare,
         make('span', { class: 'spacer' }),
-        iconButton('Zoom out', icon('minus'), () => this.#front?.zoomOut()),
-        iconButton('Zoom in', icon('plus'), () => this.#front?.zoomIn()),
-        iconButton('Show all of the plan', icon('fit'), () => this.#front?.fit()),
+        this.#zooms,
       ),
-      this.#doors.bar.node,
+      ...Object.values(this.#tools).map(({ bar }) => bar.node),
       this.#host,
       this.#notice,
     );
@@ -91,7 +131,7 @@ export class SheetPane {
 
   connect(): void {
     this.#sheet = new SheetView(this.#host);
-    this.#doors.attach(this.#sheet);
+    this.#tool = null;
     this.#drawing = '';
   }
 
@@ -99,7 +139,6 @@ export class SheetPane {
     this.#life++;
     this.#sheet?.dispose();
     this.#sheet = null;
-    this.#doors.attach(null);
     this.#steps?.dispose();
     this.#steps = null;
     this.#opening = null;
@@ -113,15 +152,19 @@ export class SheetPane {
     this.#look.set(isStepping ? 'steps' : 'drawing');
     this.#look.node.hidden = steps.pictures.length === 0;
     this.#points.hidden = isStepping;
-    this.#cut.hidden = isStepping || !view;
-    setAttribute(this.#cut, 'aria-pressed', String(model.isCutting));
+    // Beside the tools a narrow pane has no room for them.
+    this.#zooms.classList.toggle('may-float', !isStepping);
+    for (const [tool, chip] of Object.entries(this.#chips)) {
+      chip.hidden = isStepping || !view;
+      setAttribute(chip, 'aria-pressed', String(model.tool === tool));
+    }
     this.#compare.hidden = !isStepping || steps.of === 'failed';
     this.#host.hidden = isStepping;
     if (isStepping) void this.#showSteps();
     else this.#hideSteps();
     this.#showStoreys(isStepping ? 0 : (view?.drawings.length ?? 0), storey);
     if (view) this.#showDrawing(view, Math.min(storey, view.drawings.length - 1), name);
-    this.#doors.show(model);
+    this.#showTools(model);
   }
 
   #showDrawing({ drawings, plan, slice }: PlanView, storey: number, name: string): void {
@@ -131,6 +174,40 @@ export class SheetPane {
     const { frame, source } = plan;
     this.#sheet?.show({ drawing, frame, source: source.name, slice }, name !== this.#name);
     this.#name = name;
+  }
+
+  #showTools(model: Model): void {
+    for (const tool of Object.values(this.#tools)) tool.show(model);
+    this.#sheet?.showAround(model.tool === 'crop' ? (model.view?.surroundings.cropped ?? NOTHING) : NOTHING);
+    if (model.tool !== this.#tool) {
+      this.#sheet?.setTool(model.tool && this.#tools[model.tool]);
+      // A plan cropped in hand lies where the whole one did.
+      if (this.#tool === 'crop') this.#sheet?.fit();
+      this.#tool = model.tool;
+    }
+    this.#mark();
+  }
+
+  #mark(): void {
+    this.#sheet?.mark(Object.values(this.#tools).flatMap(({ marks }) => marks));
+  }
+
+  #toolChip(tool: Tool): HTMLElement {
+    const { symbol, label, words, key, testid } = CHIPS[tool];
+    return make(
+      'button',
+      {
+        type: 'button',
+        class: 'chip tool-chip',
+        testid,
+        title: `${words} (${key})`,
+        'aria-pressed': 'false',
+        'aria-keyshortcuts': key,
+        on: { click: () => this.#actions.takeTool(this.#model?.tool === tool ? null : tool) },
+      },
+      icon(symbol),
+      make('span', {}, label),
+    );
   }
 
   preview(positions: Float32Array): void {

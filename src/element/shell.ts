@@ -16,7 +16,7 @@ const NARROW = 760;
 export class Shell {
   readonly node: HTMLElement;
   readonly #sheet: SheetPane;
-  readonly #scene = new ScenePane();
+  readonly #scene: ScenePane;
   readonly #panels: readonly Panel[];
   readonly #sizes: ResizeObserver;
   #model: Model | null = null;
@@ -25,6 +25,10 @@ export class Shell {
     this.#sheet = new SheetPane(actions);
     const bar = makeBar(actions);
     const rail = makeRail(actions);
+    this.#scene = new ScenePane({
+      onUp: (up) => actions.change({ up }, true),
+      onAxes: () => rail.showControl('up'),
+    });
     const error = makeErrorPanel(actions);
     const empty = makeEmptyState(actions, () => host.getAttribute('poster'));
     const divider = makeDivider(() => panes);

@@ -15,7 +15,10 @@ import { scanName } from './scan-name.ts';
 import { CELLS_TOLD_APART } from './thin/cell-hash.ts';
 import { diagonalOf, FARTHEST, powerOfTwoBelow, Thinning } from './thin/thinning.ts';
 
-export type ReadOptions = Pick<Options, 'resolution' | 'pointBudget' | 'unit' | 'pixelsPerMetre' | 'classes'>;
+export type ReadOptions = Pick<
+  Options,
+  'resolution' | 'pointBudget' | 'unit' | 'metresPerUnit' | 'pixelsPerMetre' | 'classes'
+>;
 
 export interface ReadStatus {
   /** Bytes fetched; where the source is read twice, those of the first time too. */
@@ -185,10 +188,10 @@ function isWrongStart({ cell, firstCell, isOverBudget, bounds }: Thinning, targe
 }
 
 function targetCell(run: ReadRun, { sample }: Thinning): number {
-  const { resolution, unit, pixelsPerMetre } = run.options;
+  const { resolution } = run.options;
   const positions = sample.positions(sample.middle());
   const judged = { positions, isSlice: false, ...(run.cloud.unit && { unit: run.cloud.unit }) };
-  const { metresPerUnit } = judgeUnit(judged, { unit, pixelsPerMetre, up: 'auto' });
+  const { metresPerUnit } = judgeUnit(judged, { ...run.options, up: 'auto' });
   return powerOfTwoBelow(resolution / metresPerUnit);
 }
 

@@ -1,5 +1,5 @@
 import { polygonArea, vertexCount } from '../core/geometry/rings.ts';
-import type { Axis, Unit, Warning } from '../core/types.ts';
+import type { Axis, FrameUnit, Warning } from '../core/types.ts';
 import { checkSolid } from '../solid/check-solid.ts';
 import type { RunResult } from './result.ts';
 
@@ -13,7 +13,8 @@ export interface Report {
     readonly pointsRead: number;
     readonly pointsKept: number;
     readonly up: Axis;
-    readonly unit: Unit;
+    readonly unit: FrameUnit;
+    readonly metresPerUnit: number;
     /** Source axes, units and coordinates. */
     readonly bounds: { readonly min: readonly number[]; readonly max: readonly number[] };
     /** Where each scanner stood, like the bounds; empty where the file does not tell. */
@@ -50,7 +51,7 @@ export interface Report {
 export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: number): Report {
   const { read, frame, level, boundary, plan, solid, stages, warnings } = result;
   const { name, format, bytes, pointsRead, pointsKept } = read.facts;
-  const { up, unit } = frame.frame;
+  const { up, unit, metresPerUnit } = frame.frame;
   return {
     version: 1,
     input: {
@@ -61,6 +62,7 @@ export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: nu
       pointsKept,
       up,
       unit,
+      metresPerUnit,
       bounds: read.bounds,
       stations: read.stations,
     },

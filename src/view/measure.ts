@@ -1,3 +1,5 @@
+import { readQuantity } from '../core/quantity.ts';
+
 /** Units a person reads lengths and areas in; everything inside stays in metres. */
 export type DisplayUnit = 'm' | 'ft';
 
@@ -44,6 +46,12 @@ export function formatDensity(perSquareMetre: number, unit: DisplayUnit): string
 /** What a person typed, in metres to the millimetre. */
 export function toMetres(value: number, unit: DisplayUnit): number {
   return unit === 'm' ? value : Number((value * METRES_PER_FOOT).toFixed(3));
+}
+
+/** A length that a person typed, with a unit or in the one they read; NaN for anything else. m */
+export function readLength(text: string, unit: DisplayUnit): number {
+  const metres = readQuantity(/[a-z]/i.test(text) ? text : `${text}${unit}`, 1, null);
+  return metres === 'pixels' ? Number.NaN : metres;
 }
 
 /** A length as a bare number to edit. */

@@ -63,6 +63,11 @@ export class PanZoom {
     this.#isFitted = true;
   }
 
+  /** Puts the sheet somewhere. */
+  place(placement: Placement): void {
+    this.#move(placement);
+  }
+
   zoomIn(): void {
     this.#zoomBy(STEP, this.#centre());
   }

@@ -15,8 +15,9 @@ export class PointLayer {
   #xy: Float64Array = new Float64Array();
   #spacing = 0;
 
-  constructor() {
-    this.node.className = 'points';
+  /** @param classes of its canvas, whose colour is the points' */
+  constructor(classes: string) {
+    this.node.className = classes;
     this.node.setAttribute('aria-hidden', 'true');
   }
 

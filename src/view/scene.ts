@@ -10,7 +10,8 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { FloorPlanError } from '../core/errors.ts';
-import type { Solid } from '../core/types.ts';
+import type { Frame, Solid } from '../core/types.ts';
+import { type AxisEvents, AxisGizmo } from './axis-gizmo.ts';
 import { Glide, ISOMETRIC, OVERHEAD, type Stand, standFor } from './camera-path.ts';
 import { SceneCanvas } from './scene-canvas.ts';
 import { readColours } from './scene-colours.ts';
@@ -27,6 +28,13 @@ export interface SceneContent {
   readonly colour?: Uint8Array | undefined;
   /** Height of the top of the walls, m; points of the ceiling are hidden with the ceiling. */
   readonly top: number;
+  /** Where the source's axes point. */
+  readonly frame: Pick<Frame, 'rotation' | 'up'>;
+}
+
+export interface SceneEvents extends AxisEvents {
+  /** Nothing can be drawn: environment/webgl. */
+  onFailed(error: FloorPlanError): void;
 }
 
 /** A long lens: near to a drawing, yet nearer walls still look nearer. Degrees. */
@@ -50,6 +58,7 @@ export class SceneView {
   readonly #camera = new PerspectiveCamera(FIELD_OF_VIEW);
   readonly #controls: OrbitControls;
   readonly #cube: ViewCube;
+  readonly #axes: AxisGizmo;
   readonly #glide = new Glide();
   readonly #listening = new AbortController();
   readonly #resize: ResizeObserver;
@@ -64,9 +73,8 @@ export class SceneView {
 
   /**
    * @param host an empty element; it gets the keyboard focus and the gestures
-   * @param onFailed called with environment/webgl where nothing can be drawn
    */
-  constructor(host: HTMLElement, onFailed: (error: FloorPlanError) => void) {
+  constructor(host: HTMLElement, events: SceneEvents) {
     this.#host = host;
     host.tabIndex = 0;
     host.setAttribute('role', 'group');
@@ -77,8 +85,9 @@ export class SceneView {
     this.#surface.className = 'surface';
     this.#camera.up.set(0, 0, 1);
     this.#cube = new ViewCube((from) => this.lookFrom(from.z > 0.5 ? OVERHEAD : from));
-    host.append(this.#surface, this.#cube.node);
-    this.#canvas = new SceneCanvas(this.#surface, onFailed);
+    this.#axes = new AxisGizmo(events);
+    host.append(this.#surface, this.#cube.node, this.#axes.node);
+    this.#canvas = new SceneCanvas(this.#surface, (error) => events.onFailed(error));
     this.#controls = new OrbitControls(this.#camera, this.#surface);
     this.#controls.zoomToCursor = true;
     this.#controls.listenToKeyEvents(host);
@@ -90,8 +99,9 @@ export class SceneView {
   }
 
   /** Shows a model and its points; the camera stays where a model was shown before, unless it `isNew`. */
-  show({ solid, positions, colour, top }: SceneContent, isNew: boolean): void {
+  show({ solid, positions, colour, top, frame }: SceneContent, isNew: boolean): void {
     this.#top = top;
+    this.#axes.show(frame);
     this.#aimAt(solid);
     this.#box = boundsOf(solid.positions.length > 0 ? solid.positions : positions);
     this.#fill(solid, positions, colour);
@@ -162,6 +172,7 @@ export class SceneView {
     if (width === 0 || height === 0 || this.#box.isEmpty()) return;
     this.#recolour();
     this.#cube.turn(this.#camera.quaternion);
+    this.#axes.turn(this.#camera.quaternion);
     // Near and far planes close around the model, so that depth stays fine when it is small on screen.
     const size = this.#box.getSize(new Vector3()).length();
     const off = this.#camera.position.distanceTo(this.#box.getCenter(new Vector3()));

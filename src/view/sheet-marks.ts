@@ -1,19 +1,59 @@
 import type { Placement } from './pan-zoom.ts';
 import type { SheetTransform } from './parse-drawing.ts';
 
-/** A stretch of wall marked on the drawing; the kind is a class for the styles. */
-export interface SheetMark {
+/** Plan metres. */
+type Place = readonly [x: number, y: number];
+
+/** A stretch of wall; the kind is a class for the styles. */
+export interface StretchMark {
   readonly kind: 'candidate' | 'cut' | 'remove';
-  /** Plan metres. */
-  readonly from: readonly [x: number, y: number];
-  readonly to: readonly [x: number, y: number];
+  readonly from: Place;
+  readonly to: Place;
   /** Of the wall, m. */
   readonly thickness: number;
 }
 
+/** A distance between two places, in words. */
+export interface LengthMark {
+  readonly kind: 'length';
+  readonly from: Place;
+  readonly to: Place;
+  readonly words: string;
+}
+
+/** A place; caught where it is a corner or an edge of the plan. */
+export interface SpotMark {
+  readonly kind: 'spot';
+  readonly at: Place;
+  readonly isCaught: boolean;
+}
+
+/** A box along the axes of the plan; what lies outside is veiled. */
+export interface BoxMark {
+  readonly kind: 'box';
+  readonly low: Place;
+  readonly high: Place;
+  /** Places a hand takes it by. */
+  readonly handles: readonly Place[];
+}
+
+/** Something marked on the drawing. */
+export type SheetMark = StretchMark | LengthMark | SpotMark | BoxMark;
+
+/** A place on the screen, px. */
+type Pixel = readonly [x: number, y: number];
+
 const SVG = 'http://www.w3.org/2000/svg';
 /** A mark is larger than the wall it stands on by this all around, px: it shows around solid ink. */
 const RIM = 3;
+/** Half an end stroke of a length, radius of a spot, half a handle, px. */
+const TICK = 6;
+const SPOT = 4.5;
+const HANDLE = 5;
+/** From a length's line to the middle of its words, px. */
+const WORDS_ASIDE = 14;
+/** The veil reaches this far beyond the screen, px. */
+const FAR = 1e5;
 
 /** Marks over the drawing, always as thick as the eye needs them. */
 export class SheetMarks {
@@ -32,34 +72,104 @@ export class SheetMarks {
   /** Draws the marks where `planToSheet` and `placement` put them. */
   draw(planToSheet: SheetTransform, { zoom, x, y }: Placement): void {
     const [a, b, c, d, e, f] = planToSheet;
-    const place = ([px, py]: SheetMark['from']) =>
-      [zoom * (a * px + c * py + e) + x, zoom * (b * px + d * py + f) + y] as const;
+    const place = ([px, py]: Place): Pixel => [
+      zoom * (a * px + c * py + e) + x,
+      zoom * (b * px + d * py + f) + y,
+    ];
     const pixelsPerMetre = zoom * Math.hypot(a, b);
-    const shapes = this.#marks.map(({ kind, from, to, thickness }) => {
-      const shape = document.createElementNS(SVG, 'polygon');
-      shape.setAttribute('class', `mark mark-${kind}`);
-      shape.setAttribute('points', boxAround(place(from), place(to), (thickness * pixelsPerMetre) / 2));
-      return shape;
-    });
-    this.node.replaceChildren(...shapes);
+    this.node.replaceChildren(...this.#marks.flatMap((mark) => shapesOf(mark, place, pixelsPerMetre)));
   }
 }
 
+function shapesOf(mark: SheetMark, place: (at: Place) => Pixel, pixelsPerMetre: number): SVGElement[] {
+  switch (mark.kind) {
+    case 'length':
+      return lengthShapes(place(mark.from), place(mark.to), mark.words);
+    case 'spot': {
+      const [cx, cy] = place(mark.at);
+      const kind = mark.isCaught ? 'mark mark-spot is-caught' : 'mark mark-spot';
+      return [shape('circle', { class: kind, cx, cy, r: SPOT })];
+    }
+    case 'box':
+      return boxShapes(mark, place);
+    default: {
+      const half = (mark.thickness * pixelsPerMetre) / 2;
+      const points = boxAround(place(mark.from), place(mark.to), half);
+      return [shape('polygon', { class: `mark mark-${mark.kind}`, points })];
+    }
+  }
+}
+
+/** A line with a stroke across either end, and its words beside the middle, upright. */
+function lengthShapes(from: Pixel, to: Pixel, words: string): SVGElement[] {
+  const [ux, uy] = directionOf(from, to);
+  const across = ([x, y]: Pixel) => {
+    const [dx, dy] = [-uy * TICK, ux * TICK];
+    return `M${pair(x - dx, y - dy)}L${pair(x + dx, y + dy)}`;
+  };
+  const line = `M${pair(...from)}L${pair(...to)}${across(from)}${across(to)}`;
+  const side = ux >= 0 ? -1 : 1;
+  const [x, y] = [
+    (from[0] + to[0]) / 2 - side * uy * WORDS_ASIDE,
+    (from[1] + to[1]) / 2 + side * ux * WORDS_ASIDE,
+  ];
+  const text = shape('text', { class: 'mark-words', x, y });
+  text.textContent = words;
+  return [
+    shape('path', { class: 'mark mark-length-rim', d: line }),
+    shape('path', { class: 'mark mark-length', d: line }),
+    text,
+  ];
+}
+
+function boxShapes({ low, high, handles }: BoxMark, place: (at: Place) => Pixel): SVGElement[] {
+  const corners = [low, [high[0], low[1]], high, [low[0], high[1]]] as const;
+  const ring = `M${corners.map((corner) => pair(...place(corner))).join('L')}Z`;
+  const veil = `M${-FAR},${-FAR}H${FAR}V${FAR}H${-FAR}Z${ring}`;
+  return [
+    shape('path', { class: 'mark-veil', d: veil, 'fill-rule': 'evenodd' }),
+    shape('path', { class: 'mark mark-box', d: ring }),
+    ...handles.map((at) => {
+      const [x, y] = place(at);
+      const size = 2 * HANDLE;
+      return shape('rect', {
+        class: 'mark mark-handle',
+        x: x - HANDLE,
+        y: y - HANDLE,
+        width: size,
+        height: size,
+      });
+    }),
+  ];
+}
+
 /** The box along a stretch, `half` px and the rim to both sides. */
-function boxAround(
-  [fromX, fromY]: readonly [number, number],
-  [toX, toY]: readonly [number, number],
-  half: number,
-): string {
-  const length = Math.hypot(toX - fromX, toY - fromY) || 1;
-  const [ux, uy] = [(toX - fromX) / length, (toY - fromY) / length];
+function boxAround(from: Pixel, to: Pixel, half: number): string {
+  const [ux, uy] = directionOf(from, to);
   const [alongX, alongY, asideX, asideY] = [ux * RIM, uy * RIM, -uy * (half + RIM), ux * (half + RIM)];
   return [
-    [fromX - alongX - asideX, fromY - alongY - asideY],
-    [toX + alongX - asideX, toY + alongY - asideY],
-    [toX + alongX + asideX, toY + alongY + asideY],
-    [fromX - alongX + asideX, fromY - alongY + asideY],
+    [from[0] - alongX - asideX, from[1] - alongY - asideY],
+    [to[0] + alongX - asideX, to[1] + alongY - asideY],
+    [to[0] + alongX + asideX, to[1] + alongY + asideY],
+    [from[0] - alongX + asideX, from[1] - alongY + asideY],
   ]
-    .map((corner) => corner.map((value) => value.toFixed(1)).join(','))
+    .map(([x, y]) => pair(x, y))
     .join(' ');
+}
+
+function directionOf([fromX, fromY]: Pixel, [toX, toY]: Pixel): Pixel {
+  const length = Math.hypot(toX - fromX, toY - fromY) || 1;
+  return [(toX - fromX) / length, (toY - fromY) / length];
+}
+
+function pair(x: number, y: number): string {
+  return `${x.toFixed(1)},${y.toFixed(1)}`;
+}
+
+function shape(name: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
+  const node = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) {
+    node.setAttribute(key, typeof value === 'number' ? value.toFixed(1) : value);
+  }
+  return node;
 }

@@ -1,12 +1,13 @@
-import { sourceCoordinates } from '../core/source-coordinates.ts';
+import { sayUnit, sourceCoordinates } from '../core/source-coordinates.ts';
 import type { Frame, Slice } from '../core/types.ts';
 import type { DisplayUnit } from './measure.ts';
 import { PanZoom } from './pan-zoom.ts';
-import { type Drawing, parseDrawing, type SheetTransform } from './parse-drawing.ts';
+import { type Drawing, parseDrawing } from './parse-drawing.ts';
 import { PointLayer } from './point-layer.ts';
-import { listenForPress } from './press.ts';
+import { listenForDrag, listenForPress, type PointerDrag } from './press.ts';
 import { ScaleBar } from './scale-bar.ts';
 import { type SheetMark, SheetMarks } from './sheet-marks.ts';
+import { flatten, invert, placementFor, resizeCursor, sightOf } from './sheet-place.ts';
 
 export interface SheetContent {
   /** The SVG text that is exported. */
@@ -31,7 +32,22 @@ export interface SheetTool {
   /** Where it rests; null where it left, and for what cannot rest, as a finger. */
   hover(place: SheetPlace | null): void;
   press(place: SheetPlace): void;
+  /** How the pointer looks where it rests. */
+  readonly cursor?: SheetCursor;
+  /** Takes what lies under a pointer that goes down, instead of moving the sheet; null where nothing does. */
+  grab?(place: SheetPlace): SheetDrag | null;
 }
+
+/** What a pointer holds until it is released. */
+export interface SheetDrag {
+  move(place: SheetPlace): void;
+  drop(): void;
+  /** As if it had never been taken. */
+  cancel(): void;
+}
+
+/** How the pointer looks: it moves something, or an edge of it in a direction of the plan. */
+export type SheetCursor = 'move' | readonly [dx: number, dy: number] | null;
 
 /** A mouse and a finger miss by so much, px. */
 const MOUSE_REACH = 4;
@@ -41,12 +57,14 @@ const MARGIN = 16;
 const FOOT = 40;
 /** Coordinates are read to a millimetre, whatever the source unit. m */
 const PRECISION = 0.001;
-
 /** The 2D view: the exported SVG itself with pan and zoom, the slice's points beneath it, a scale bar and coordinates. */
 export class SheetView {
   readonly #host: HTMLElement;
   readonly #page = document.createElement('div');
-  readonly #points = new PointLayer();
+  /** Points the plan was not made from. */
+  #aroundShown: Float64Array | null = null;
+  readonly #around = new PointLayer('points around');
+  readonly #points = new PointLayer('points');
   readonly #paper = document.createElement('div');
   readonly #marks = new SheetMarks();
   readonly #scaleBar = new ScaleBar();
@@ -55,6 +73,7 @@ export class SheetView {
   readonly #resize: ResizeObserver;
   readonly #listening = new AbortController();
   #tool: SheetTool | null = null;
+  #drag: SheetDrag | null = null;
   #drawing: Drawing | null = null;
   #frame: Frame | null = null;
   #unit: DisplayUnit = 'm';
@@ -72,7 +91,8 @@ export class SheetView {
     this.#paper.hidden = true;
     this.#coordinates.className = 'coordinates';
     this.#scaleBar.node.hidden = true;
-    host.append(this.#page, this.#points.node, this.#paper, this.#marks.node);
+    this.#around.node.hidden = true;
+    host.append(this.#page, this.#around.node, this.#points.node, this.#paper, this.#marks.node);
     host.append(this.#coordinates, this.#scaleBar.node);
     this.#panZoom = new PanZoom(host, { onMove: () => this.#schedule(), onFit: () => this.fit() });
     this.#resize = new ResizeObserver(() => (this.#panZoom.isFitted ? this.fit() : this.#schedule()));
@@ -83,6 +103,8 @@ export class SheetView {
   /** Shows a drawing; place and zoom stay where the sheet is the same, unless it `isNew`. @throws input/malformed */
   show({ drawing, frame, source, slice }: SheetContent, isNew: boolean): void {
     const next = parseDrawing(drawing);
+    const sheet = this.#drawing && this.#frame && { drawing: this.#drawing, frame: this.#frame };
+    const before = sheet && !isNew ? sightOf(sheet, this.#panZoom.placement, this.#size) : null;
     const isSame = this.#drawing !== null && String(next.planToSheet) === String(this.#drawing.planToSheet);
     next.svg.dataset.source = source;
     next.svg.classList.add('drawing');
@@ -96,13 +118,16 @@ export class SheetView {
     this.#paper.hidden = false;
     this.#scaleBar.node.hidden = false;
     if (isSame && !isNew && !this.#panZoom.isFitted) this.#schedule();
-    else this.fit();
+    // With a tool in hand that drags, the plan stays under it though the sheet is another.
+    else if (this.#tool?.grab && before) {
+      this.#panZoom.place(placementFor(before, { drawing: next, frame }, this.#size));
+    } else this.fit();
   }
 
   /** Shows points seen from above before there is a drawing; the axis of least extent is taken as height. */
   preview(positions: Float32Array): void {
     if (this.#drawing) return;
-    const { xy, planToSheet } = flatten(positions, this.#host);
+    const { xy, planToSheet } = flatten(positions, this.#size, MARGIN);
     this.#points.set(xy, 0);
     void this.#points.draw(planToSheet, { zoom: 1, x: 0, y: 0 });
   }
@@ -117,13 +142,31 @@ export class SheetView {
     if (isShown) this.#schedule();
   }
 
-  /** Hands the pointer to a tool, beside moving and zooming; null takes it back. */
-  setTool(tool: SheetTool | null): void {
-    this.#tool = tool;
-    this.#host.classList.toggle('has-tool', tool !== null);
+  /** Points beneath those of the slice, paler; none takes them away. @param xy x, y a point, m */
+  showAround(xy: Float64Array): void {
+    if (xy === this.#aroundShown) return;
+    this.#aroundShown = xy;
+    this.#around.node.hidden = xy.length === 0;
+    this.#around.set(xy, 0);
+    this.#schedule();
   }
 
-  /** Marks stretches of wall; those before go. */
+  /** Hands the pointer to a tool, beside moving and zooming; null takes it back. */
+  setTool(tool: SheetTool | null): void {
+    this.#drag?.cancel();
+    this.#drag = null;
+    this.#tool = tool;
+    this.#host.classList.toggle('has-tool', tool !== null);
+    this.#showCursor();
+  }
+
+  #showCursor(): void {
+    const cursor = this.#tool?.cursor ?? null;
+    const isDirection = cursor !== null && cursor !== 'move';
+    this.#host.style.cursor = isDirection ? resizeCursor(cursor, this.#drawing) : (cursor ?? '');
+  }
+
+  /** Marks places of the plan; the marks before go. */
   mark(marks: readonly SheetMark[]): void {
     this.#marks.set(marks);
     if (this.#drawing) this.#marks.draw(this.#drawing.planToSheet, this.#panZoom.placement);
@@ -151,6 +194,10 @@ export class SheetView {
     this.#host.replaceChildren();
   }
 
+  get #size(): readonly [width: number, height: number] {
+    return [this.#host.clientWidth, this.#host.clientHeight];
+  }
+
   #schedule(): void {
     cancelAnimationFrame(this.#pending);
     this.#pending = requestAnimationFrame(() => void this.#draw());
@@ -163,7 +210,9 @@ export class SheetView {
     const { zoom, x, y } = placement;
     const [a, b] = drawing.planToSheet;
     // Points take a moment; the drawing waits for them, so that both move as one.
-    if (!this.#points.node.hidden) await this.#points.draw(drawing.planToSheet, placement);
+    for (const layer of [this.#around, this.#points]) {
+      if (!layer.node.hidden) await layer.draw(drawing.planToSheet, placement);
+    }
     drawing.svg.style.transform = `matrix(${zoom}, 0, 0, ${zoom}, ${x}, ${y})`;
     this.#marks.draw(drawing.planToSheet, placement);
     this.#page.style.transform = `translate(${x}px, ${y}px)`;
@@ -179,6 +228,8 @@ export class SheetView {
     host.addEventListener('pointerleave', () => this.#leave(), { signal });
     // The host's colour has a transition, so its end tells that the theme changed.
     host.addEventListener('transitionend', ({ target }) => target === host && this.#schedule(), { signal });
+    const grab = (event: PointerEvent) => this.#grab(event);
+    listenForDrag(host, grab, signal);
     listenForPress(host, (click, pointerType) => this.#press(click, pointerType), signal);
     // With a tool in hand two presses are two presses.
     const isolate = (event: Event) => this.#tool && event.stopPropagation();
@@ -191,9 +242,31 @@ export class SheetView {
     const to = sourceCoordinates(this.#frame, PRECISION);
     const read = (value: number) => value.toFixed(to.digits);
     const [x, y] = place.at;
-    this.#coordinates.textContent = `${read(to.x(x))}, ${read(to.y(y))} ${this.#frame.unit}`;
+    this.#coordinates.textContent = `${read(to.x(x))}, ${read(to.y(y))} ${sayUnit(this.#frame.unit)}`;
+    if (this.#drag) return;
     const isResting = event.buttons === 0 && event.pointerType !== 'touch';
     this.#tool?.hover(isResting ? place : null);
+    this.#showCursor();
+  }
+
+  #grab(event: PointerEvent): PointerDrag | null {
+    const place = event.button === 0 ? this.#placeOf(event, event.pointerType) : null;
+    const drag = (place && this.#tool?.grab?.(place)) ?? null;
+    if (!drag) return null;
+    this.#drag = drag;
+    const end = (act: 'drop' | 'cancel') => {
+      if (this.#drag !== drag) return;
+      this.#drag = null;
+      drag[act]();
+    };
+    return {
+      move: (moved) => {
+        const to = this.#placeOf(moved, moved.pointerType);
+        if (to && this.#drag === drag) drag.move(to);
+      },
+      drop: () => end('drop'),
+      cancel: () => end('cancel'),
+    };
   }
 
   #press(click: MouseEvent, pointerType: string): void {
@@ -206,48 +279,20 @@ export class SheetView {
     this.#tool?.hover(null);
   }
 
+  #planAt(left: number, top: number): readonly [number, number] {
+    const { zoom, x, y } = this.#panZoom.placement;
+    return invert(this.#drawing!.planToSheet, (left - x) / zoom, (top - y) / zoom);
+  }
+
   #placeOf({ clientX, clientY }: MouseEvent, pointerType: string): SheetPlace | null {
     if (!this.#drawing) return null;
     const { planToSheet } = this.#drawing;
     const { left, top } = this.#host.getBoundingClientRect();
-    const { zoom, x, y } = this.#panZoom.placement;
+    const { zoom } = this.#panZoom.placement;
     const reach = pointerType === 'touch' ? TOUCH_REACH : MOUSE_REACH;
     return {
-      at: invert(planToSheet, (clientX - left - x) / zoom, (clientY - top - y) / zoom),
+      at: this.#planAt(clientX - left, clientY - top),
       reach: reach / (zoom * Math.hypot(planToSheet[0], planToSheet[1])),
     };
   }
-}
-
-function invert([a, b, c, d, e, f]: SheetTransform, x: number, y: number): readonly [number, number] {
-  const determinant = a * d - b * c;
-  return [(d * (x - e) - c * (y - f)) / determinant, (a * (y - f) - b * (x - e)) / determinant];
-}
-
-/** Positions without their axis of least extent, and the transform that fits them into `host`. */
-function flatten(
-  positions: Float32Array,
-  host: HTMLElement,
-): { xy: Float64Array; planToSheet: SheetTransform } {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i++) {
-    low[i % 3] = Math.min(low[i % 3], positions[i]);
-    high[i % 3] = Math.max(high[i % 3], positions[i]);
-  }
-  const extent = high.map((value, axis) => value - low[axis]);
-  const flat = extent.indexOf(Math.min(...extent));
-  const [u, v] = [0, 1, 2].filter((axis) => axis !== flat);
-  const xy = new Float64Array((positions.length / 3) * 2);
-  for (let i = 0; i < positions.length / 3; i++) {
-    xy[2 * i] = positions[3 * i + u];
-    xy[2 * i + 1] = positions[3 * i + v];
-  }
-  const { clientWidth, clientHeight } = host;
-  const k = Math.min(
-    (clientWidth - 2 * MARGIN) / Math.max(extent[u], Number.EPSILON),
-    (clientHeight - 2 * MARGIN) / Math.max(extent[v], Number.EPSILON),
-  );
-  const [cx, cy] = [(low[u] + high[u]) / 2, (low[v] + high[v]) / 2];
-  return { xy, planToSheet: [k, 0, 0, -k, clientWidth / 2 - k * cx, clientHeight / 2 + k * cy] };
 }

@@ -10,21 +10,10 @@ const FACES = {
   bottom: { label: 'Below', from: [0, 0, -1] },
 } as const satisfies Record<string, { label: string; from: readonly [number, number, number] }>;
 
-const AXES = ['x', 'y', 'z'] as const;
-/** From the cube's middle to an axis letter, px. */
-const LETTER = 54;
-
-/** A cube of six buttons that turns with the camera, and the three axes. Made of elements, so keys and screen readers reach it. */
+/** A cube of six buttons that turns with the camera. Made of elements, so keys and screen readers reach it. */
 export class ViewCube {
   readonly node = document.createElement('div');
   readonly #cube = document.createElement('div');
-  readonly #letters = AXES.map((axis) => {
-    const letter = document.createElement('span');
-    letter.className = `axis axis-${axis}`;
-    letter.textContent = axis;
-    letter.setAttribute('aria-hidden', 'true');
-    return letter;
-  });
 
   /** @param onPick called with the direction to look from */
   constructor(onPick: (from: Vector3) => void) {
@@ -39,7 +28,7 @@ export class ViewCube {
       face.addEventListener('click', () => onPick(new Vector3(...from)));
       this.#cube.append(face);
     }
-    this.node.append(this.#cube, ...this.#letters);
+    this.node.append(this.#cube);
   }
 
   /** Turns the cube as a camera of this orientation sees it. CSS points y down, so y is flipped going in and out. */
@@ -48,10 +37,5 @@ export class ViewCube {
     const flip = new Matrix4().makeScale(1, -1, 1);
     const css = flip.clone().multiply(seen).multiply(flip);
     this.#cube.style.transform = `matrix3d(${css.elements.map((value) => value.toFixed(6)).join(',')})`;
-    for (const [i, letter] of this.#letters.entries()) {
-      const tip = new Vector3().setComponent(i, LETTER).applyMatrix4(seen);
-      letter.style.transform = `translate(${tip.x.toFixed(1)}px, ${(-tip.y).toFixed(1)}px)`;
-      letter.classList.toggle('is-behind', tip.z < 0);
-    }
   }
 }

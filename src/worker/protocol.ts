@@ -2,7 +2,7 @@ import type { PlainError } from '../core/errors.ts';
 import type { GivenValues, Options } from '../core/params.ts';
 import type { Progress, StageReport } from '../core/pipeline-run.ts';
 import type { StageName } from '../core/stages.ts';
-import type { FloorPlan, Level, SecondaryResult, Slice, Solid } from '../core/types.ts';
+import type { FloorPlan, Level, PointCloud, SecondaryResult, Slice, Solid, Vec3 } from '../core/types.ts';
 import type { Report } from '../session/report.ts';
 
 /** What the page needs to show a plan; arrays are transferred or copied, never shared. */
@@ -14,6 +14,9 @@ export interface PlanView {
   readonly solid: Solid;
   /** A uniform sample of the cloud for display: metres, z up, the solid's frame. */
   readonly cloud: CloudView;
+  readonly surroundings: Surroundings;
+  /** One sentence each: why this unit, why this axis. */
+  readonly reasons: PointCloud['reasons'];
   readonly slice: Slice;
   readonly levels: readonly Level[];
   readonly secondary: SecondaryResult;
@@ -91,6 +94,14 @@ export interface CloudView {
   readonly colour?: Uint8Array;
   /** Points the sample stands for. */
   readonly total: number;
+}
+
+/** The cloud before the crop box; plan frame, m. */
+export interface Surroundings {
+  readonly min: Vec3;
+  readonly max: Vec3;
+  /** A sample of the points that the box left out: x, y a point. */
+  readonly cropped: Float64Array;
 }
 
 export interface ExportedFile {

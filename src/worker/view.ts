@@ -1,7 +1,11 @@
-import type { PointCloud } from '../core/types.ts';
+import { isWithin } from '../core/crop.ts';
+import { parseCrop } from '../core/crop-box.ts';
+import { boundsOf } from '../core/frame/robust-scale.ts';
+import type { Options } from '../core/params.ts';
+import type { PointCloud, Vec3 } from '../core/types.ts';
 import { makeReport } from '../session/report.ts';
 import type { Session } from '../session/session.ts';
-import type { CloudView, PictureFacts, PlanView } from './protocol.ts';
+import type { CloudView, PictureFacts, PlanView, Surroundings } from './protocol.ts';
 
 /** More points than this no screen tells apart, and a software renderer still draws them in one frame. */
 const CLOUD_POINTS = 300_000;
@@ -14,7 +18,8 @@ export function makeView(
 ): { view: PlanView; transfer: Transferable[] } {
   const result = session.result!;
   const { options, plan, solid, slice, level, secondary, stages } = result;
-  const cloud = sampleCloud(result.frame);
+  const cloud = sampleCloud(result.crop);
+  const surroundings = surroundingsOf(result.frame, options);
   const drawings = session.write('svg').map(({ content }) => content as string);
   const view = {
     options,
@@ -22,6 +27,8 @@ export function makeView(
     drawings,
     solid,
     cloud,
+    surroundings,
+    reasons: result.frame.reasons,
     slice,
     levels: level.levels,
     secondary,
@@ -29,8 +36,8 @@ export function makeView(
     report: makeReport(result, totalMs),
     pictures,
   };
-  const buffers = cloud.colour ? [cloud.positions.buffer, cloud.colour.buffer] : [cloud.positions.buffer];
-  return { view, transfer: buffers as ArrayBuffer[] };
+  const arrays = [cloud.positions, surroundings.cropped, ...(cloud.colour ? [cloud.colour] : [])];
+  return { view, transfer: arrays.map(({ buffer }) => buffer as ArrayBuffer) };
 }
 
 /** Every n-th point; the cloud is sorted by lattice cell, so this is uniform in space. O(sample). */
@@ -47,4 +54,22 @@ function sampleCloud({ positions, attributes }: PointCloud): CloudView {
     }
   }
   return colour ? { positions: xyz, colour, total } : { positions: xyz, total };
+}
+
+/** Where the cloud lies before the crop box, and a sample of what the box leaves out. O(n). */
+function surroundingsOf(whole: PointCloud, options: Options): Surroundings {
+  const bounds = boundsOf(whole.positions);
+  const box = parseCrop(options.crop);
+  const cropped: number[] = [];
+  if (box) {
+    const isIn = isWithin(whole.frame, box);
+    const { positions } = whole;
+    const step = 3 * Math.max(1, Math.ceil(positions.length / 3 / CLOUD_POINTS));
+    for (let i = 0; i < positions.length; i += step) {
+      const [x, y, z] = [positions[i], positions[i + 1], positions[i + 2]];
+      if (!isIn(x, y, z)) cropped.push(x, y);
+    }
+  }
+  const corner = ([x, y, z]: Float64Array): Vec3 => [x, y, z];
+  return { min: corner(bounds.min), max: corner(bounds.max), cropped: Float64Array.from(cropped) };
 }

@@ -1,14 +1,14 @@
 import { ringsOf } from '../core/geometry/rings.ts';
 import { type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
-import type { Polygon, Storey, Unit } from '../core/types.ts';
+import type { FrameUnit, Polygon, Storey } from '../core/types.ts';
 import { decimal, rounded } from './decimals.ts';
 import { writeDxfObjects, writeDxfTables } from './dxf-tables.ts';
 import { DxfTags, type Extent } from './dxf-tags.ts';
 import type { Product } from './plan-writer.ts';
 import { roundedPolygons } from './rounded-polygons.ts';
 
-/** $INSUNITS by unit; a pixel is unitless. */
-const INSERT_UNITS: Record<Unit, number> = { m: 6, cm: 5, mm: 4, ft: 2, 'us-ft': 21, px: 0 };
+/** $INSUNITS by unit; pixels and units without a name are unitless. */
+const INSERT_UNITS: Record<FrameUnit, number> = { m: 6, cm: 5, mm: 4, ft: 2, 'us-ft': 21, px: 0, custom: 0 };
 /** Height of room names, m. */
 const TEXT_HEIGHT = 0.2;
 
@@ -50,7 +50,7 @@ export function writeDxf({ plan }: Product, storey: number): string {
   return tags.end();
 }
 
-function writeHeader(tags: DxfTags, unit: Unit, extent: Extent): void {
+function writeHeader(tags: DxfTags, unit: FrameUnit, extent: Extent): void {
   const isImperial = unit === 'ft' || unit === 'us-ft';
   tags.section('HEADER', () => {
     tags.add([9, '$ACADVER'], [1, 'AC1015'], [9, '$DWGCODEPAGE'], [3, 'ANSI_1252']);

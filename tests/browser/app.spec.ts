@@ -161,7 +161,7 @@ test('nothing of the bars is cut off on a small laptop', async ({ page }) => {
     page.locator(bars).evaluateAll((all) => all.map((bar) => bar.scrollWidth - bar.clientWidth));
   await page.getByTestId('cut-doors').click();
   await expect(page.getByTestId('door-words')).toBeVisible();
-  expect(await cut('.tools, .bar, .door-bar')).toEqual([0, 0, 0, 0]);
+  expect(Math.max(...(await cut('.tools, .bar, .tool-bar')))).toBe(0);
   await page.getByRole('button', { name: 'Step by step' }).click();
   await page.getByTestId('compare').click();
   await expect(page.getByTestId('compare-table')).toBeVisible();

@@ -1,6 +1,6 @@
 import type { Locator, Page } from '@playwright/test';
 import type { FloorPlanElement } from '../../src/element/floor-plan.ts';
-import { dropFile, expect, expectReady, roomCsv, test } from './plan-page.ts';
+import { dropFile, expect, expectReady, onSheet, roomCsv, test } from './plan-page.ts';
 
 /** A room with a gap of a metre in its south wall and one of 0.8 m in its west wall. */
 function gappyRoom(): string {
@@ -132,31 +132,6 @@ test('with every gap a door, one is taken away and the other stays', async ({ pa
   await expect(drawnDoors(page)).toHaveCount(1);
   await expect(page.getByRole('checkbox', { name: 'Cut all gaps' })).not.toBeChecked();
 });
-
-/** Where a place of the plan, m, lies on the screen once the sheet is at rest: the tool's bar makes it move. */
-function onSheet(page: Page, x: number, y: number): Promise<[number, number]> {
-  return page
-    .getByTestId('plan-svg')
-    .locator('svg')
-    .evaluate(
-      async (svg: SVGSVGElement, [px, py]) => {
-        const look = () => String(Object.values(svg.getBoundingClientRect().toJSON()));
-        for (let [before, calm] = ['', 0]; calm < 4; ) {
-          await new Promise((resolve) => requestAnimationFrame(resolve));
-          calm = look() === before ? calm + 1 : 0;
-          before = look();
-        }
-        const [a, b, c, d, e, f] = svg.dataset.planToSheet!.split(' ').map(Number);
-        const frame = (svg.getRootNode() as ShadowRoot).host as FloorPlanElement;
-        const [ox, oy] = frame.plan!.frame.planOrigin;
-        const [qx, qy] = [px - ox, py - oy];
-        const point = new DOMPoint(a * qx + c * qy + e, b * qx + d * qy + f);
-        const onScreen = point.matrixTransform(svg.getScreenCTM()!);
-        return [onScreen.x, onScreen.y] as [number, number];
-      },
-      [x, y],
-    );
-}
 
 function drawnDoors(page: Page): Locator {
   return page.getByTestId('plan-svg').locator('[data-kind=door]');

@@ -1,4 +1,7 @@
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 import { test as base, expect, type Page } from '@playwright/test';
+import type { FloorPlanElement } from '../../src/element/floor-plan.ts';
 
 /** What the page did that nobody asked for. */
 export interface Misdeeds {
@@ -95,4 +98,40 @@ export async function dropFile(page: Page, name: string, text: string): Promise<
   await expect(page.getByText('Release to make a plan of this scan')).toBeVisible();
   await target.dispatchEvent('dragover', { dataTransfer: transfer });
   await target.dispatchEvent('drop', { dataTransfer: transfer });
+}
+
+/** Where a place of the plan, source coordinates, lies on the screen once the sheet is at rest: the tool's bar makes it move. */
+export function onSheet(page: Page, x: number, y: number): Promise<[number, number]> {
+  return page
+    .getByTestId('plan-svg')
+    .locator('svg')
+    .evaluate(
+      async (svg: SVGSVGElement, [px, py]) => {
+        const look = () => String(Object.values(svg.getBoundingClientRect().toJSON()));
+        for (let [before, calm] = ['', 0]; calm < 4; ) {
+          await new Promise((resolve) => requestAnimationFrame(resolve));
+          calm = look() === before ? calm + 1 : 0;
+          before = look();
+        }
+        const [a, b, c, d, e, f] = svg.dataset.planToSheet!.split(' ').map(Number);
+        const frame = (svg.getRootNode() as ShadowRoot).host as FloorPlanElement;
+        const { planOrigin, metresPerUnit } = frame.plan!.frame;
+        const [qx, qy] = [(px - planOrigin[0]) * metresPerUnit, (py - planOrigin[1]) * metresPerUnit];
+        const point = new DOMPoint(a * qx + c * qy + e, b * qx + d * qy + f);
+        const onScreen = point.matrixTransform(svg.getScreenCTM()!);
+        return [onScreen.x, onScreen.y] as [number, number];
+      },
+      [x, y],
+    );
+}
+
+/** What axe finds wrong with the page. */
+export async function axe(page: Page): Promise<string[]> {
+  const source = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+  await page.evaluate(source);
+  return page.evaluate(async () => {
+    const { axe: runner } = globalThis as unknown as { axe: typeof import('axe-core') };
+    const { violations } = await runner.run();
+    return violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html.slice(0, 160)}`));
+  });
 }

@@ -22,9 +22,11 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   pointBudget: { on: 'scan', to: { pointBudget: 2000 } },
   classes: { on: 'tower', from: { up: 'z', unit: 'm' }, to: { classes: '2' } },
   unit: { on: 'scan', to: { unit: 'ft' } },
+  metresPerUnit: { on: 'scan', to: { metresPerUnit: 0.8 } },
   pixelsPerMetre: { on: 'slice', to: { pixelsPerMetre: 50 } },
   up: { on: 'scan', to: { up: 'x' } },
   levelling: { on: 'scan', to: { levelling: false } },
+  crop: { on: 'scan', to: { crop: '-1,-1,4,30' } },
   outlierNeighbours: {
     on: 'scan',
     from: { outlierDeviations: 1, wallReach: 0 },

@@ -8,21 +8,22 @@ const ROUNDING = 1e-6;
 /**
  * Refuses clouds that enclose nothing: too few points, all equal, all on a line. O(n).
  *
+ * @param hint what to try, where the file is not to blame
  * @throws input/too-few-points, input/degenerate
  */
-export function checkSpread(positions: Float32Array): void {
+export function checkSpread(positions: Float32Array, hint?: string): void {
   const points = positions.length / 3;
   if (points < FEWEST_POINTS) {
     throw new FloorPlanError('input/too-few-points', `expected at least 3 points, found ${points}`, {
-      hint: 'Check that the file holds the whole scan.',
+      hint: hint ?? 'Check that the file holds the whole scan.',
       detail: { points },
     });
   }
   const a = farthestFrom(positions, 0);
   const b = farthestFrom(positions, a.index);
-  if (b.distance === 0) throw degenerate('all points are equal', points);
+  if (b.distance === 0) throw degenerate('all points are equal', points, hint);
   if (widthAcross(positions, a.index, b.index) <= ROUNDING * b.distance) {
-    throw degenerate('all points lie on one line', points);
+    throw degenerate('all points lie on one line', points, hint);
   }
 }
 
@@ -50,9 +51,9 @@ function widthAcross(p: Float32Array, a: number, b: number): number {
   return width;
 }
 
-function degenerate(found: string, points: number): FloorPlanError {
+function degenerate(found: string, points: number, hint?: string): FloorPlanError {
   return new FloorPlanError('input/degenerate', `expected points spread over an area, found that ${found}`, {
-    hint: 'Check which columns hold the coordinates.',
+    hint: hint ?? 'Check which columns hold the coordinates.',
     detail: { points },
   });
 }

@@ -1,5 +1,6 @@
 import type { Options } from '../params.ts';
-import type { Scan, Unit } from '../types.ts';
+import { sayScale } from '../source-coordinates.ts';
+import type { FrameUnit, Scan, Unit } from '../types.ts';
 import { findGravity } from './gravity.ts';
 import type { HeightPlane } from './height-planes.ts';
 import { boundsOf, largestExtent, trimmedBounds } from './robust-scale.ts';
@@ -25,7 +26,7 @@ const MAX_CANVAS = 4096;
 
 /** The unit of a scan's coordinates. */
 export interface JudgedUnit {
-  readonly unit: Unit;
+  readonly unit: FrameUnit;
   readonly metresPerUnit: number;
   /** One sentence. */
   readonly reason: string;
@@ -33,11 +34,12 @@ export interface JudgedUnit {
   readonly isGuess: boolean;
 }
 
-type UnitOptions = Pick<Options, 'unit' | 'pixelsPerMetre' | 'up'>;
+type UnitOptions = Pick<Options, 'unit' | 'metresPerUnit' | 'pixelsPerMetre' | 'up'>;
 type UnitScan = Pick<Scan, 'positions' | 'isSlice' | 'unit'>;
 
-/** The unit a person gave or the file states; null where it must be judged. */
+/** The scale or unit a person gave, or the unit the file states; null where it must be judged. */
 export function statedUnit(scan: Pick<Scan, 'unit'>, options: Omit<UnitOptions, 'up'>): JudgedUnit | null {
+  if (options.metresPerUnit !== 'auto') return scaled(options.metresPerUnit);
   if (options.unit !== 'auto') return stated(options.unit, options, 'it was given');
   if (scan.unit !== undefined) return stated(scan.unit, options, 'the file states it');
   return null;
@@ -113,7 +115,16 @@ function largestStorey(planes: readonly HeightPlane[], metresPerUnit: number) {
   return best;
 }
 
-function stated(unit: Unit, { pixelsPerMetre }: Omit<UnitOptions, 'up'>, why: string): JudgedUnit {
+function scaled(metresPerUnit: number): JudgedUnit {
+  const reason = `${sayScale('custom', metresPerUnit)}: the scale was given.`;
+  return { unit: 'custom', metresPerUnit, reason, isGuess: false };
+}
+
+function stated(
+  unit: Unit,
+  { pixelsPerMetre }: Pick<UnitOptions, 'pixelsPerMetre'>,
+  why: string,
+): JudgedUnit {
   const metresPerUnit = unit === 'px' ? 1 / pixelsPerMetre : METRES[unit];
   return { unit, metresPerUnit, reason: `The unit is ${unit}: ${why}.`, isGuess: false };
 }

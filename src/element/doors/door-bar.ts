@@ -16,12 +16,12 @@ export class DoorBar {
   readonly node: HTMLElement;
   readonly #width = new SizeField('Width', DOOR_WIDTH);
   readonly #height = new SizeField('Height', DOOR_HEIGHT);
-  readonly #words = make('p', { class: 'door-words hint', testid: 'door-words' });
+  readonly #words = make('p', { class: 'tool-words hint', testid: 'door-words' });
 
   constructor(onLeave: () => void) {
     this.node = make(
       'div',
-      { class: 'door-bar', role: 'group', 'aria-label': 'Cut doors', hidden: true },
+      { class: 'tool-bar', role: 'group', 'aria-label': 'Cut doors', hidden: true },
       this.#width.node,
       this.#height.node,
       this.#words,

@@ -1,4 +1,5 @@
 import { parseDoors } from '../../core/doors.ts';
+import { sayUnit } from '../../core/source-coordinates.ts';
 import { formatLength } from '../../view/measure.ts';
 import { make } from '../make.ts';
 import type { Actions, Model, Panel, Stretch } from '../model.ts';
@@ -58,7 +59,7 @@ function entriesOf({ view, options, storey, unit }: Model): Entry[] {
       const { opening, origin } = door;
       const size = [widthOf(opening), opening.head].map((length) => formatLength(length, unit)).join(' × ');
       const { x, y } = cuts[origin.index];
-      const place = `${x}, ${y} ${view.plan.frame.unit}`;
+      const place = `${x}, ${y} ${sayUnit(view.plan.frame.unit)}`;
       return {
         label: `Door, ${size}`,
         place,

@@ -1,8 +1,9 @@
 import type { Gap } from '../../core/types.ts';
 import { formatLength } from '../../view/measure.ts';
-import type { SheetPlace, SheetTool, SheetView } from '../../view/sheet.ts';
-import type { SheetMark } from '../../view/sheet-marks.ts';
+import type { SheetPlace } from '../../view/sheet.ts';
+import type { StretchMark } from '../../view/sheet-marks.ts';
 import type { Actions, Model, Stretch } from '../model.ts';
+import type { PlanTool } from '../plan-tool.ts';
 import { DoorBar } from './door-bar.ts';
 import { type PlanDoor, PlanDoors, widthOf } from './plan-doors.ts';
 
@@ -19,27 +20,23 @@ const WALLS = 'Press a wall to cut a door, a door to take it away.';
 const WALLS_AND_GAPS = 'Press a wall or a dashed gap to cut a door, a door to take it away.';
 
 /** Cuts doors in the drawing ([Stojanovic19] §3): a wall or a bridged gap gets one, a door goes. */
-export class DoorTool implements SheetTool {
+export class DoorTool implements PlanTool {
   readonly bar: DoorBar;
   readonly #actions: Actions;
-  #sheet: SheetView | null = null;
+  readonly #redraw: () => void;
   #model: Model | null = null;
   #doors: PlanDoors | null = null;
   #aim: Aim | null = null;
 
-  constructor(actions: Actions) {
+  constructor(actions: Actions, redraw: () => void) {
     this.#actions = actions;
-    this.bar = new DoorBar(() => actions.cutDoors(false));
-  }
-
-  /** @param sheet the drawing that doors are cut in; null when there is none any more */
-  attach(sheet: SheetView | null): void {
-    this.#sheet = sheet;
-    this.#model = null;
+    this.#redraw = redraw;
+    this.bar = new DoorBar(() => actions.takeTool(null));
   }
 
   show(model: Model): void {
-    const { view, options, storey, unit, isCutting, marked } = model;
+    const { view, options, storey, unit, tool, marked } = model;
+    const isCutting = tool === 'doors';
     const before = this.#model;
     this.#model = model;
     this.bar.setUnit(unit);
@@ -48,10 +45,9 @@ export class DoorTool implements SheetTool {
       before?.view === view &&
       before?.options.doors === options.doors &&
       before.storey === storey &&
-      before.isCutting === isCutting &&
+      (before.tool === 'doors') === isCutting &&
       before.marked === marked;
     if (isSame) return;
-    this.#sheet?.setTool(isCutting ? this : null);
     const place = Math.min(storey, (view?.plan.storeys.length ?? 1) - 1);
     this.#doors = view && new PlanDoors(view.plan, place, options.doors);
     this.hover(null);
@@ -61,7 +57,7 @@ export class DoorTool implements SheetTool {
     this.#aim = place && this.#aimAt(place);
     const resting = this.#freeGaps().length > 0 ? WALLS_AND_GAPS : WALLS;
     this.bar.say(this.#aim?.words ?? resting);
-    this.#sheet?.mark(this.#marks());
+    this.#redraw();
   }
 
   press(place: SheetPlace): void {
@@ -90,11 +86,11 @@ export class DoorTool implements SheetTool {
     return { kind: 'remove', stretch: opening, words, doors: this.#doors!.without(door) };
   }
 
-  #marks(): SheetMark[] {
-    const { isCutting = false, marked = null, view } = this.#model ?? {};
+  get marks(): readonly StretchMark[] {
+    const { tool = null, marked = null, view } = this.#model ?? {};
     const thickness = view?.plan.options.wallThickness ?? 0;
-    const mark = (kind: SheetMark['kind'], { from, to }: Stretch) => ({ kind, from, to, thickness });
-    const free = isCutting ? this.#freeGaps() : [];
+    const mark = (kind: StretchMark['kind'], { from, to }: Stretch) => ({ kind, from, to, thickness });
+    const free = tool === 'doors' ? this.#freeGaps() : [];
     return [
       ...free.map((gap) => mark('candidate', this.#doors?.fitGap(gap) ?? gap)),
       ...(this.#aim ? [mark(this.#aim.kind, this.#aim.stretch)] : []),

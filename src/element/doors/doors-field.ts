@@ -20,7 +20,7 @@ export function doorsField({ id, row, change }: FieldFacts, actions: Actions): F
   const read = () => {
     const text = cuts.value.trim();
     const given = parsed(text === '' ? 'none' : text, pixelsPerMetre);
-    setAttribute(cuts, 'aria-invalid', given === null);
+    setAttribute(cuts, 'aria-invalid', given === null ? 'true' : null);
     if (given !== null) change(formatDoors({ gaps: gaps.checked || given.gaps, cuts: given.cuts }), true);
   };
   const label = make('label', { class: 'auto' }, gaps, 'Cut all gaps');
@@ -30,7 +30,7 @@ export function doorsField({ id, row, change }: FieldFacts, actions: Actions): F
       type: 'button',
       class: 'button',
       testid: 'cut-in-drawing',
-      on: { click: () => actions.cutDoors(true) },
+      on: { click: () => actions.takeTool('doors') },
     },
     icon('door'),
     'Cut in the drawing',

@@ -1,6 +1,6 @@
 import { type DoorCut, formatDoors, isDoorSize, parseDoors } from '../../core/doors.ts';
 import { placeDoors } from '../../core/place-doors.ts';
-import { sourceCoordinates } from '../../core/source-coordinates.ts';
+import { sayUnit, sourceCoordinates } from '../../core/source-coordinates.ts';
 import type { FloorPlan, Gap, Opening, Storey } from '../../core/types.ts';
 import type { Stretch } from '../model.ts';
 
@@ -111,7 +111,7 @@ export class PlanDoors {
     const [x, y] = middleOf(stretch);
     // Twice, since rounding may leave a negative zero.
     const say = (value: number) => Number(value.toFixed(source.digits)).toFixed(source.digits);
-    return `${say(source.x(x))}, ${say(source.y(y))} ${frame.unit}`;
+    return `${say(source.x(x))}, ${say(source.y(y))} ${sayUnit(frame.unit)}`;
   }
 
   #cutOf(stretch: Stretch, height?: number): DoorCut {

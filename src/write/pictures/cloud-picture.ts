@@ -20,7 +20,9 @@ const NAMED = [0, 0.25, 0.5, 0.75, 1];
 const [, VERMILION] = OKABE_ITO;
 
 /** Fig. 1a: the upright cloud seen from above, coloured by height, without its ceiling; outliers beneath it, scanners on it. */
-export function drawCloud({ frame: cloud, outliers: kept }: Partial<StageResults>): Drawing | null {
+export function drawCloud({ frame, crop, outliers: kept }: Partial<StageResults>): Drawing | null {
+  // A run that failed at the crop box has the whole cloud to show.
+  const cloud = crop ?? frame;
   if (cloud === undefined || cloud.positions.length === 0) return null;
   const total = cloud.positions.length / 3;
   const range = heightRange(cloud, kept);

@@ -17,7 +17,7 @@ const BIG = 12;
 const LINE = 14;
 
 /** Fig. 2: the cloud from the side with the three levels' bounding boxes, their cuts and the heights they stand for. */
-export function drawLevels({ frame: cloud, outliers: kept, level }: Partial<StageResults>): Drawing | null {
+export function drawLevels({ crop: cloud, outliers: kept, level }: Partial<StageResults>): Drawing | null {
   if (!cloud || !kept || !level || cloud.isFlat) return null;
   const side = sideView(cloud, kept);
   const references = referenceHeights(level.levels);

@@ -58,6 +58,26 @@ describe('a good scan', () => {
     expect(report.levels.filter((level: { chosen: boolean }) => level.chosen)).toHaveLength(1);
   });
 
+  it('is scaled by --metres-per-unit and cut to --crop, in its own coordinates', async () => {
+    const out = join(folder, 'scaled');
+    // Twice as large, and the half with x up to 7.
+    const words = ['--metres-per-unit', '2', '--crop', '-100,-100,7,100', '--formats', 'geojson'];
+    const { exitCode, stdout } = await grundriss(sample, '-o', out, ...words);
+    expect(exitCode).toBe(0);
+    expect(JSON.parse(stdout).input).toMatchObject({ unit: 'custom', metresPerUnit: 2 });
+    const { frame, features } = JSON.parse(await readFile(join(out, 'plan.geojson'), 'utf8'));
+    expect(frame).toEqual({ unit: 'custom', metresPerUnit: 2 });
+    const primary = features.find((feature: { properties: { kind: string } }) =>
+      feature.properties.kind.startsWith('primary'),
+    );
+    const xs = primary.geometry.coordinates[0].map(([x]: number[]) => x);
+    expect(Math.max(...xs)).toBeLessThan(7.2);
+    expect(Math.max(...xs)).toBeGreaterThan(6);
+    const beside = await grundriss(sample, '-o', join(folder, 'beside'), '--crop', '50,50,60,60');
+    expect(beside.exitCode).toBe(3);
+    expect(beside.stderr).toMatch(/^grundriss: input\/too-few-points: crop: .*50,50,60,60 m, found 0/);
+  });
+
   it('gives equal bytes for equal input', async () => {
     const [a, b] = [join(folder, 'a'), join(folder, 'b')];
     await grundriss(sample, '-o', a);

@@ -21,7 +21,7 @@ test('another run leaves plan, evidence and cache as they are, and shares the st
   expect(session.reports).toBe(reports);
 
   const cached = other.stages.filter(({ isCached }) => isCached).map(({ name }) => name);
-  expect(cached).toEqual(['read', 'frame', 'outliers', 'level', 'slice']);
+  expect(cached).toEqual(['read', 'frame', 'crop', 'outliers', 'level', 'slice']);
   expect(other.slice).toBe(evidence.slice);
   expect(other.boundary.method).toBe('convex');
 

@@ -81,10 +81,10 @@ test('a scan has its levels', () => {
 });
 
 test('the cloud shows where its scanners stood, unless that is far away', () => {
-  const { frame } = home.evidence;
+  const { crop } = home.evidence;
   const withStations = (stations: [number, number, number][]) =>
-    drawPicture('cloud', { ...home.evidence, frame: { ...frame!, stations } })!;
-  const { positions } = frame!;
+    drawPicture('cloud', { ...home.evidence, crop: { ...crop!, stations } })!;
+  const { positions } = crop!;
   const near: [number, number, number] = [positions[0], positions[1], 1.5];
   expect(withStations([near])).toContain('Scanner');
   expect(withStations([[1e4, 0, 0]])).not.toContain('Scanner');

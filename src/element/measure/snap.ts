@@ -1,0 +1,68 @@
+import type { Ring, Storey } from '../../core/types.ts';
+
+/** Plan metres. */
+export type Place = readonly [x: number, y: number];
+
+/** A straight edge of the plan, plan metres. */
+export interface PlanEdge {
+  readonly from: Place;
+  readonly to: Place;
+}
+
+/** Where a pointer was caught. */
+export interface Snapped {
+  readonly at: Place;
+  /** False where nothing was near. */
+  readonly isCaught: boolean;
+}
+
+/** Edges of the outlines: what was scanned, so what is measured. */
+export function outlineEdges({ primary }: Storey): PlanEdge[] {
+  return primary.flatMap(({ outer, holes }) => [outer, ...holes].flatMap(edgesOf));
+}
+
+/** All edges a person may mean: outlines, structures and walls. */
+export function planEdges(storey: Storey): PlanEdge[] {
+  const polygons = [...storey.secondary, ...storey.walls].map(({ outline }) => outline);
+  const others = polygons.flatMap(({ outer, holes }) => [outer, ...holes].flatMap(edgesOf));
+  return [...outlineEdges(storey), ...others];
+}
+
+/** The nearest corner within `reach` metres, else the nearest place of an edge, else the place itself. O(edges). */
+export function snap(edges: readonly PlanEdge[], place: Place, reach: number): Snapped {
+  const corners = edges.map(({ from }) => from);
+  const feet = edges.map((edge) => footOn(edge, place));
+  const at = nearest(corners, place, reach) ?? nearest(feet, place, reach);
+  return at ? { at, isCaught: true } : { at: place, isCaught: false };
+}
+
+export function lengthOf({ from, to }: PlanEdge): number {
+  return Math.hypot(to[0] - from[0], to[1] - from[1]);
+}
+
+function edgesOf(ring: Ring): PlanEdge[] {
+  return Array.from({ length: ring.length / 2 }, (_, i) => {
+    const next = (2 * i + 2) % ring.length;
+    return { from: [ring[2 * i], ring[2 * i + 1]], to: [ring[next], ring[next + 1]] };
+  });
+}
+
+function footOn({ from: [ax, ay], to: [bx, by] }: PlanEdge, [x, y]: Place): Place {
+  const [dx, dy] = [bx - ax, by - ay];
+  const squared = dx * dx + dy * dy;
+  const along = squared === 0 ? 0 : ((x - ax) * dx + (y - ay) * dy) / squared;
+  const share = Math.min(1, Math.max(0, along));
+  return [ax + share * dx, ay + share * dy];
+}
+
+function nearest(places: readonly Place[], [x, y]: Place, reach: number): Place | null {
+  let best: Place | null = null;
+  let least = reach;
+  for (const place of places) {
+    const distance = Math.hypot(place[0] - x, place[1] - y);
+    if (distance > least) continue;
+    least = distance;
+    best = place;
+  }
+  return best;
+}
