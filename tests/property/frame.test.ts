@@ -21,9 +21,9 @@ const METRES = { m: 1, cm: 0.01, mm: 0.001, ft: 0.3048 } as const;
 /** A furnished L with a floor larger than its walls, of random size, storey height and heading. */
 const rooms = fc
   .record({
-    width: fc.double({ min: 6, max: 11, noNaN: true }),
+    width: fc.double({ min: 7, max: 11, noNaN: true }),
     depth: fc.double({ min: 6, max: 9, noNaN: true }),
-    notch: fc.double({ min: 0.3, max: 0.7, noNaN: true }),
+    notch: fc.double({ min: 0.55, max: 0.7, noNaN: true }),
     height: fc.double({ min: 2.3, max: 3.2, noNaN: true }),
     heading: fc.double({ min: 0, max: 6.28, noNaN: true }),
     seed: fc.nat(1000),

@@ -5,7 +5,7 @@ import type { SurfacePatches } from './surface-patches.ts';
 
 /** Columns a patch edge: with 32 points a patch, a column through a table top holds three or four. */
 const COLUMNS_A_PATCH = 3;
-const FEWEST_POINTS = 3;
+const FEWEST_POINTS = 2;
 /** Points this share of a room's height from its floor and ceiling belong to those. */
 const MARGIN = 0.1;
 /** A column that spans more of the room's height stands in a wall or a door lintel, not on furniture. */
