@@ -1,4 +1,6 @@
+import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
+import { nodeSource } from '../../../src/cli/node-source.ts';
 import type { PlyProperty, PlyType } from '../../../src/read/ply/ply-header.ts';
 import { memorySource, readAll } from './memory-source.ts';
 import { type PlyContent, plyBytes } from './ply-bytes.ts';
@@ -164,5 +166,23 @@ it('names line and column of text among the points', async () => {
   await expect(read(new TextEncoder().encode(bytes))).rejects.toMatchObject({
     code: 'input/malformed',
     detail: { line: 9, column: 2, text: 'abc' },
+  });
+});
+
+describe('files that plyfile wrote', () => {
+  const fixture = (name: string) =>
+    nodeSource(fileURLToPath(new URL(`../../../fixtures/foreign/${name}`, import.meta.url)));
+
+  it.each(['plyfile-big-endian.ply', 'plyfile-text.ply'])('%s, to the last bit', async (name) => {
+    const { xyz, colour, intensity } = await readAll(await fixture(name));
+    const indices = Array.from({ length: 150 }, (_, i) => i);
+    const place = (i: number) => [
+      691000.1234 + ((i * 37) % 100) / 16,
+      5334000.4567 + ((i * 53) % 90) / 32,
+      512.789 + ((i * 11) % 50) / 20,
+    ];
+    expect(xyz).toEqual(indices.map(place));
+    expect(colour).toEqual(indices.map((i) => [i % 256, (i * 5) % 256, (i * 7) % 256]));
+    expect(intensity).toEqual(indices.map((i) => i / 256));
   });
 });
