@@ -77,7 +77,8 @@ function cellOf(value: number, { inverse, middle }: Pick<AxisCells, 'inverse' | 
 /** Least significant digit first; the digits of a pass are laid out first, so that the scatter fetches little. */
 function radixOrder(low: Uint32Array, high: Uint32Array, bits: number): Uint32Array {
   const count = low.length;
-  let order = new Uint32Array(count).map((_, index) => index);
+  let order = new Uint32Array(count);
+  for (let i = 0; i < count; i++) order[i] = i;
   let next = new Uint32Array(count);
   const digits = new Uint16Array(count);
   const starts = new Uint32Array(DIGITS + 1);
