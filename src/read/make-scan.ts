@@ -28,7 +28,7 @@ export function makeScan(
   const { xyz, count, bounds } = thinning;
   const origin = thinning.sample.middle();
   const cell = thinning.cell || powerOfTwoBelow(diagonalOf(bounds) * ORDER_SHARE);
-  const indices = orderByCell({ xyz, count, cell, centre: origin });
+  const indices = orderByCell({ xyz, count, cell, centre: origin, bounds });
   return {
     facts: {
       name,

@@ -137,6 +137,8 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
     if (!thinning) return readAgain(run, cell);
   }
   if (!thinning) throw noPoints(run.name);
+  // A reader need not look at what comes after the points, an index say.
+  run.bytesRead = Math.max(run.bytesRead, sizeOfAll(run.sources) ?? 0);
   report(run, thinning.read);
   return thinning;
 }

@@ -2,6 +2,9 @@ const SAMPLES = 50_000;
 /** Shares of the points that may be astray on either side without moving a trimmed bound. */
 const TRIM = 0.02;
 
+/** Of a float32: sign, exponent and some digits. */
+const LEADING_BITS = 16;
+
 /** Turns a median absolute deviation into a standard deviation, for a normal distribution. */
 export const DEVIATION_BY_MEDIAN = 1.4826;
 
@@ -34,12 +37,32 @@ export function trimmedBounds(positions: Float32Array): Bounds {
   const max = new Float64Array(3);
   for (let axis = 0; axis < 3; axis++) {
     for (let i = 0; i < values.length; i++) values[i] = positions[3 * i * stride + axis];
-    values.sort();
     const trimmed = Math.floor(values.length * TRIM);
-    min[axis] = values[trimmed];
-    max[axis] = values[values.length - 1 - trimmed];
+    min[axis] = valueOfRank(values, trimmed);
+    max[axis] = valueOfRank(values, values.length - 1 - trimmed);
   }
   return { min, max };
+}
+
+/**
+ * The value that sorting would bring to place `rank`; NaN where there is none.
+ *
+ * Values are counted by their leading bits, and only those that share them with the one looked for are sorted. O(n) for
+ * values that are spread.
+ */
+export function valueOfRank(values: Float32Array, rank: number): number {
+  const bits = new Int32Array(values.buffer, values.byteOffset, values.length);
+  const counts = new Uint32Array(1 << LEADING_BITS);
+  for (let i = 0; i < bits.length; i++) counts[leadingBits(bits[i])]++;
+  let leading = 0;
+  let before = 0;
+  while (leading < counts.length && before + counts[leading] <= rank) before += counts[leading++];
+  return values.filter((_, i) => leadingBits(bits[i]) === leading).sort()[rank - before] ?? Number.NaN;
+}
+
+/** Leading bits of a float32, so turned that they rise with the value: below zero larger bits are smaller values. */
+function leadingBits(bits: number): number {
+  return (bits < 0 ? ~bits : bits ^ 0x80000000) >>> (32 - LEADING_BITS);
 }
 
 /** Longest side. */

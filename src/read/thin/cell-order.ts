@@ -1,3 +1,5 @@
+import type { Vec3 } from '../../core/types.ts';
+
 /** Cells a side that the order tells apart, around the centre; strays beyond share the outermost. 3 × 17 bits fit a float64. */
 const HALF_WINDOW = 2 ** 16;
 const DIGIT_BITS = 11;
@@ -11,7 +13,9 @@ export interface OrderedPoints {
   /** Edge of a cell, same unit. */
   readonly cell: number;
   /** Somewhere amid the points. */
-  readonly centre: readonly [x: number, y: number, z: number];
+  readonly centre: Vec3;
+  /** A box that holds them. */
+  readonly bounds: { readonly min: Vec3; readonly max: Vec3 };
 }
 
 /**
@@ -58,17 +62,11 @@ interface AxisCells {
   readonly cells: number;
 }
 
-function axisCells({ xyz, count, cell, centre }: OrderedPoints, axis: number): AxisCells {
+function axisCells({ cell, centre, bounds }: OrderedPoints, axis: number): AxisCells {
   const inverse = 1 / cell;
   const lattice = { inverse, middle: Math.floor(centre[axis] * inverse) };
-  let least = HALF_WINDOW;
-  let most = -HALF_WINDOW;
-  for (let i = axis; i < 3 * count; i += 3) {
-    const index = cellOf(xyz[i], lattice);
-    if (index < least) least = index;
-    if (index > most) most = index;
-  }
-  return { ...lattice, least, cells: Math.max(1, most - least + 1) };
+  const least = cellOf(bounds.min[axis], lattice);
+  return { ...lattice, least, cells: cellOf(bounds.max[axis], lattice) - least + 1 };
 }
 
 function cellOf(value: number, { inverse, middle }: Pick<AxisCells, 'inverse' | 'middle'>): number {
@@ -79,7 +77,8 @@ function cellOf(value: number, { inverse, middle }: Pick<AxisCells, 'inverse' | 
 /** Least significant digit first; the digits of a pass are laid out first, so that the scatter fetches little. */
 function radixOrder(low: Uint32Array, high: Uint32Array, bits: number): Uint32Array {
   const count = low.length;
-  let order = new Uint32Array(count).map((_, index) => index);
+  let order = new Uint32Array(count);
+  for (let i = 0; i < count; i++) order[i] = i;
   let next = new Uint32Array(count);
   const digits = new Uint16Array(count);
   const starts = new Uint32Array(DIGITS + 1);

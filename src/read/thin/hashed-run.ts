@@ -1,69 +1,58 @@
 import { cellKey, cellMate, cellPlace, pointKey, pointMate, pointPriority } from './cell-hash.ts';
 
-/** Points hashed together: enough to fetch many slots at once, few enough for the fastest cache. */
+/** Points hashed together: enough to fetch much from memory at once, few enough for the fastest cache. */
 export const RUN_POINTS = 256;
-/** Words of a slot as a power of two: cell key, its mate, priority, index + 1 of the point kept (0: free). */
-export const SLOT_SHIFT = 2;
 
-/**
- * Names, places and priorities of a run of points.
- *
- * Every slot of the run is touched once here, without a branch that waits for it, so the processor fetches many from
- * memory at a time; looking a point up right after its hash took 2 × as long for 3 M kept.
- */
+/** Words of a name as a power of two: those two that tell the cell, and {@link PLACE} and {@link PRIORITY}. */
+export const NAME_SHIFT = 2;
+export const MATE = 1;
+/** Where the search for the cell begins, before the size of the table is taken into account. */
+export const PLACE = 2;
+export const PRIORITY = 3;
+
+/** The names of the cells of a run of points, and the points' priorities. */
 export class HashedRun {
-  /** The two halves of the name of each point's cell. */
-  readonly keys = new Int32Array(RUN_POINTS);
-  readonly mates = new Int32Array(RUN_POINTS);
-  /** First word of the slot where the search for the cell begins. */
-  readonly places = new Int32Array(RUN_POINTS);
-  readonly priorities = new Int32Array(RUN_POINTS);
-  /** Keeps the compiler from leaving the touch out. */
-  touched = 0;
+  /** Of point k from k << NAME_SHIFT on. */
+  readonly names = new Int32Array(RUN_POINTS << NAME_SHIFT);
 
   /**
    * @param words the bits of `xyz`
    * @param cell edge, or 0 where every point has a cell of its own
-   * @param table slots; a power of two
    */
   hash(
     { xyz, words }: { readonly xyz: Float64Array; readonly words: Int32Array },
     { begin, end }: { readonly begin: number; readonly end: number },
     cell: number,
-    table: Int32Array,
   ): void {
     if (cell > 0) this.#nameCells(xyz, begin, end, 1 / cell);
     else this.#namePoints(words, begin, end);
-    const { places, priorities } = this;
-    const mask = table.length - 1;
-    let touched = 0;
-    for (let i = begin; i < end; i++) {
-      const place = (places[i - begin] << SLOT_SHIFT) & mask;
-      places[i - begin] = place;
-      priorities[i - begin] = pointPriority(words, 6 * i);
-      touched ^= table[place];
+    const { names } = this;
+    let name = 0;
+    for (let i = 6 * begin; i < 6 * end; i += 6, name += 1 << NAME_SHIFT) {
+      names[name + PRIORITY] = pointPriority(words, i);
     }
-    this.touched = touched;
   }
 
   #nameCells(xyz: Float64Array, begin: number, end: number, inverse: number): void {
-    const { keys, mates, places } = this;
-    for (let i = begin; i < end; i++) {
-      const ix = Math.floor(xyz[3 * i] * inverse) | 0;
-      const iy = Math.floor(xyz[3 * i + 1] * inverse) | 0;
-      const iz = Math.floor(xyz[3 * i + 2] * inverse) | 0;
-      keys[i - begin] = cellKey(ix, iy);
-      mates[i - begin] = cellMate(iy, iz);
-      places[i - begin] = cellPlace(ix, iy, iz);
+    const { names } = this;
+    let name = 0;
+    for (let i = 3 * begin; i < 3 * end; i += 3, name += 1 << NAME_SHIFT) {
+      const ix = Math.floor(xyz[i] * inverse) | 0;
+      const iy = Math.floor(xyz[i + 1] * inverse) | 0;
+      const iz = Math.floor(xyz[i + 2] * inverse) | 0;
+      names[name] = cellKey(ix, iy);
+      names[name + MATE] = cellMate(iy, iz);
+      names[name + PLACE] = cellPlace(ix, iy, iz);
     }
   }
 
   #namePoints(words: Int32Array, begin: number, end: number): void {
-    const { keys, mates, places } = this;
-    for (let i = begin; i < end; i++) {
-      keys[i - begin] = pointKey(words, 6 * i);
-      mates[i - begin] = pointMate(words, 6 * i);
-      places[i - begin] = keys[i - begin];
+    const { names } = this;
+    let name = 0;
+    for (let i = 6 * begin; i < 6 * end; i += 6, name += 1 << NAME_SHIFT) {
+      names[name] = pointKey(words, i);
+      names[name + MATE] = pointMate(words, i);
+      names[name + PLACE] = names[name];
     }
   }
 }

@@ -6,6 +6,8 @@ interface Column {
   readonly name: keyof PointAttributes;
   readonly width: number;
   values: AttributeArray;
+  /** Of the chunk at hand. */
+  source: AttributeArray | undefined;
 }
 
 /** Entries a point of each attribute. */
@@ -24,7 +26,8 @@ export class KeptAttributes {
     for (const name of Object.keys(WIDTHS) as (keyof PointAttributes)[]) {
       const example = like[name];
       const width = WIDTHS[name];
-      if (example) this.#columns.push({ name, width, values: makeLike(example, width * capacity) });
+      if (example)
+        this.#columns.push({ name, width, values: makeLike(example, width * capacity), source: undefined });
     }
   }
 
@@ -36,11 +39,17 @@ export class KeptAttributes {
     }
   }
 
-  /** Copies the attributes of point `from` of a chunk to place `to`. */
-  put(chunk: PointAttributes, from: number, to: number): void {
-    for (const { name, width, values } of this.#columns) {
-      const source = chunk[name];
-      for (let i = 0; i < width; i++) values[width * to + i] = source?.[width * from + i] ?? 0;
+  /** Takes up a chunk, whose points the following calls speak of. */
+  open(chunk: PointAttributes): void {
+    for (const column of this.#columns) column.source = chunk[column.name];
+  }
+
+  /** Copies the attributes of the chunk's point `from` to place `to`. */
+  put(from: number, to: number): void {
+    const columns = this.#columns;
+    for (let c = 0; c < columns.length; c++) {
+      const { width, values, source } = columns[c];
+      for (let i = 0; i < width; i++) values[width * to + i] = source ? source[width * from + i] : 0;
     }
   }
 
@@ -50,11 +59,11 @@ export class KeptAttributes {
     }
   }
 
-  /** Whether a chunk's point comes before a kept one of the same place: the first attribute that differs is smaller. */
-  precedes(chunk: PointAttributes, from: number, kept: number): boolean {
-    for (const { name, width, values } of this.#columns) {
+  /** Whether the chunk's point comes before a kept one of the same place: the first attribute that differs is smaller. */
+  precedes(from: number, kept: number): boolean {
+    for (const { width, values, source } of this.#columns) {
       for (let i = 0; i < width; i++) {
-        const difference = (chunk[name]?.[width * from + i] ?? 0) - values[width * kept + i];
+        const difference = (source?.[width * from + i] ?? 0) - values[width * kept + i];
         if (difference !== 0) return difference < 0;
       }
     }

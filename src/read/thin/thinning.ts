@@ -1,15 +1,13 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import type { PointChunk } from '../cloud-reader.ts';
 import { CELLS_TOLD_APART } from './cell-hash.ts';
-import { HashedRun, RUN_POINTS, SLOT_SHIFT } from './hashed-run.ts';
+import { CellTable } from './cell-table.ts';
+import { HashedRun, NAME_SHIFT, PRIORITY, RUN_POINTS } from './hashed-run.ts';
 import { KeptAttributes } from './kept-attributes.ts';
 import { PointSample } from './point-sample.ts';
 
 /** Farther from 0 than this is no place in a building but a mark for "no return": a UTM northing in mm is 10¹⁰. */
 export const FARTHEST = 1e12;
-const FIRST_SLOTS = 1 << 16;
-/** Share of slots in use past which probing gets long. */
-const FULLEST = 0.5;
 /** Finest cell tried when a cloud without cells is over its budget, as a share of its extent. */
 const FIRST_SHARE = 2 / CELLS_TOLD_APART;
 
@@ -57,27 +55,29 @@ export class Thinning {
   #words = new Int32Array(0);
   #attributes: KeptAttributes | null = null;
   readonly #run = new HashedRun();
-  #table: Int32Array<ArrayBuffer>;
+  #table: CellTable;
 
   constructor({ cell, budget, expected = 0 }: ThinningOptions) {
     this.cell = cell;
     this.firstCell = cell;
     this.#budget = budget;
     // Pages that nothing is written to cost no memory.
-    this.#growArrays(Math.min(expected, budget) + RUN_POINTS);
-    const needed = Math.max(FIRST_SLOTS, Math.min(expected, budget) / FULLEST);
-    this.#table = allocate(() => new Int32Array((2 ** Math.ceil(Math.log2(needed))) << SLOT_SHIFT));
+    const capacity = Math.ceil(Math.min(expected, budget)) + RUN_POINTS;
+    this.#table = allocate(() => new CellTable(budget + RUN_POINTS, capacity));
+    this.#growArrays(capacity);
   }
 
   /** Adds the points of a chunk. @throws environment/memory */
   add(chunk: PointChunk): void {
     this.#attributes ??= new KeptAttributes(chunk, this.xyz.length / 3);
+    this.#attributes.open(chunk);
     const words = new Int32Array(chunk.xyz.buffer, chunk.xyz.byteOffset, 2 * chunk.xyz.length);
     for (let begin = 0; begin < chunk.count; begin += RUN_POINTS) {
       this.#makeRoom();
       const end = Math.min(chunk.count, begin + RUN_POINTS);
       const isAllPlaced = this.#takeIn(chunk.xyz, begin, end);
-      this.#run.hash({ xyz: chunk.xyz, words }, { begin, end }, this.cell, this.#table);
+      this.#run.hash({ xyz: chunk.xyz, words }, { begin, end }, this.cell);
+      this.#table.fetch(this.#run.names, end - begin);
       this.#addRun(chunk, begin, end, isAllPlaced);
       while (this.count > this.#budget) this.#coarsenForBudget();
     }
@@ -87,7 +87,7 @@ export class Thinning {
   /** Thins what is kept to coarser cells: the very points that these cells would have kept from the start. */
   coarsen(cell: number): void {
     this.cell = cell;
-    this.#rebuild(this.#table.fill(0));
+    this.#rebuild();
   }
 
   /** Attributes of the points kept at `indices`. */
@@ -97,38 +97,31 @@ export class Thinning {
 
   /** Lets go of the table; no point can be added after. */
   close(): void {
-    this.#table = new Int32Array(0);
+    this.#table = new CellTable(0, 0);
   }
 
   #addRun(chunk: PointChunk, begin: number, end: number, isAllPlaced: boolean): void {
     const table = this.#table;
-    const mask = table.length - 1;
-    const { keys, mates, places, priorities } = this.#run;
+    const { names } = this.#run;
     let { limit } = this.sample;
     for (let i = begin; i < end; i++) {
       if (!isAllPlaced && !isPlace(chunk.xyz, 3 * i)) continue;
-      const k = i - begin;
-      const priority = priorities[k];
+      const name = (i - begin) << NAME_SHIFT;
+      const priority = names[name + PRIORITY];
       if (priority <= limit) {
         this.sample.add(chunk.xyz, i, priority);
         limit = this.sample.limit;
       }
-      const key = keys[k];
-      const mate = mates[k];
-      let slot = places[k];
-      while (table[slot + 3] !== 0 && (table[slot] !== key || table[slot + 1] !== mate))
-        slot = (slot + (1 << SLOT_SHIFT)) & mask;
-      const kept = table[slot + 3] - 1;
-      // Most points lose their cell to the one kept there.
-      if (kept >= 0 && priority > table[slot + 2]) continue;
+      const kept = table.find(names, name);
       if (kept < 0) {
-        table[slot] = key;
-        table[slot + 1] = mate;
-        table[slot + 2] = priority;
-        table[slot + 3] = this.count + 1;
+        table.insert(~kept, this.count, names, name);
         this.#put(chunk, i, this.count++);
-      } else if (priority < table[slot + 2] || this.#precedes(chunk, i, kept)) {
-        table[slot + 2] = priority;
+        continue;
+      }
+      // Most points lose their cell to the one kept there.
+      const lead = priority - table.priorityOf(kept);
+      if (lead < 0 || (lead === 0 && this.#precedes(chunk, i, kept))) {
+        table.replace(kept, priority);
         this.#put(chunk, i, kept);
       }
     }
@@ -137,8 +130,12 @@ export class Thinning {
   /** Bounds grow, −0 becomes 0 (one place, different bits), and points without a place are counted; false where there are any. */
   #takeIn(xyz: Float64Array, begin: number, end: number): boolean {
     const { min, max } = this.bounds;
-    let [minX, minY, minZ] = min;
-    let [maxX, maxY, maxZ] = max;
+    let minX = min[0];
+    let minY = min[1];
+    let minZ = min[2];
+    let maxX = max[0];
+    let maxY = max[1];
+    let maxZ = max[2];
     let dropped = 0;
     for (let i = 3 * begin; i < 3 * end; i += 3) {
       const x = xyz[i];
@@ -168,11 +165,7 @@ export class Thinning {
   #makeRoom(): void {
     const needed = this.count + RUN_POINTS;
     if (3 * needed > this.xyz.length) this.#growArrays(needed);
-    const slots = this.#table.length >> SLOT_SHIFT;
-    if (needed <= slots * FULLEST) return;
-    // Let go of the old table first: the new one is filled from the points.
-    this.#table = new Int32Array(0);
-    this.#rebuild(allocate(() => new Int32Array((2 * slots) << SLOT_SHIFT)));
+    if (!this.#table.hasRoom(needed)) allocate(() => this.#table.growSlots(this.count));
   }
 
   #growArrays(needed: number): void {
@@ -181,6 +174,7 @@ export class Thinning {
     grown.set(this.xyz.subarray(0, 3 * this.count));
     this.xyz = grown;
     this.#words = new Int32Array(grown.buffer);
+    allocate(() => this.#table.growNames(capacity));
     allocate(() => this.#attributes?.grow(capacity));
   }
 
@@ -189,35 +183,33 @@ export class Thinning {
     this.coarsen(this.cell > 0 ? 2 * this.cell : powerOfTwoBelow(FIRST_SHARE * diagonalOf(this.bounds)));
   }
 
-  /** Sorts the points kept into an empty table by the present cell, and closes ranks. */
-  #rebuild(table: Int32Array<ArrayBuffer>): void {
-    this.#table = table;
+  /** Sorts the points kept into the emptied table by the present cell, and closes ranks. */
+  #rebuild(): void {
     const { count } = this;
     this.count = 0;
+    this.#table.clear();
     for (let begin = 0; begin < count; begin += RUN_POINTS) {
       const end = Math.min(count, begin + RUN_POINTS);
-      this.#run.hash({ xyz: this.xyz, words: this.#words }, { begin, end }, this.cell, table);
+      this.#run.hash({ xyz: this.xyz, words: this.#words }, { begin, end }, this.cell);
+      this.#table.fetch(this.#run.names, end - begin);
       this.#sortInRun(begin, end);
     }
   }
 
   #sortInRun(begin: number, end: number): void {
     const table = this.#table;
-    const mask = table.length - 1;
-    const { keys, mates, places, priorities } = this.#run;
+    const { names } = this.#run;
     for (let i = begin; i < end; i++) {
-      const k = i - begin;
-      const slot = findSlot(table, mask, places[k], keys[k], mates[k]);
-      const kept = table[slot + 3] - 1;
-      const lead = priorities[k] - table[slot + 2];
+      const name = (i - begin) << NAME_SHIFT;
+      const kept = table.find(names, name);
       if (kept < 0) {
-        table[slot] = keys[k];
-        table[slot + 1] = mates[k];
-        table[slot + 2] = priorities[k];
-        table[slot + 3] = this.count + 1;
+        table.insert(~kept, this.count, names, name);
         this.#move(i, this.count++);
-      } else if (lead < 0 || (lead === 0 && isBefore(this.xyz, i, this.xyz, kept))) {
-        table[slot + 2] = priorities[k];
+        continue;
+      }
+      const lead = names[name + PRIORITY] - table.priorityOf(kept);
+      if (lead < 0 || (lead === 0 && isBefore(this.xyz, i, this.xyz, kept))) {
+        table.replace(kept, names[name + PRIORITY]);
         this.#move(i, kept);
       }
     }
@@ -229,29 +221,23 @@ export class Thinning {
     kept[3 * to] = xyz[3 * from];
     kept[3 * to + 1] = xyz[3 * from + 1];
     kept[3 * to + 2] = xyz[3 * from + 2];
-    this.#attributes?.put(chunk, from, to);
+    this.#attributes?.put(from, to);
   }
 
   #move(from: number, to: number): void {
     if (from === to) return;
-    this.xyz.copyWithin(3 * to, 3 * from, 3 * from + 3);
+    const { xyz } = this;
+    xyz[3 * to] = xyz[3 * from];
+    xyz[3 * to + 1] = xyz[3 * from + 1];
+    xyz[3 * to + 2] = xyz[3 * from + 2];
     this.#attributes?.move(from, to);
   }
 
   #precedes(chunk: PointChunk, at: number, kept: number): boolean {
     if (isBefore(chunk.xyz, at, this.xyz, kept)) return true;
     if (isBefore(this.xyz, kept, chunk.xyz, at)) return false;
-    return this.#attributes?.precedes(chunk, at, kept) ?? false;
+    return this.#attributes?.precedes(at, kept) ?? false;
   }
-}
-
-/** The slot of a cell, or the free one where it belongs; linear probing. */
-function findSlot(table: Int32Array, mask: number, place: number, key: number, mate: number): number {
-  let slot = place;
-  while (table[slot + 3] !== 0 && (table[slot] !== key || table[slot + 1] !== mate)) {
-    slot = (slot + (1 << SLOT_SHIFT)) & mask;
-  }
-  return slot;
 }
 
 function isBefore(a: Float64Array, at: number, b: Float64Array, bt: number): boolean {
