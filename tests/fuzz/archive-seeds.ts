@@ -49,7 +49,9 @@ function zipSeed(name: string, files: Zippable, inner: readonly Seed[]): Seed {
   return {
     name,
     bytes,
-    boundaries: marks.flatMap((mark) => FIELDS.map((field) => mark + field)).filter((at) => at < bytes.length),
+    boundaries: marks
+      .flatMap((mark) => FIELDS.map((field) => mark + field))
+      .filter((at) => at < bytes.length),
     // The first file's bytes.
     body: [30, marks[1] ?? bytes.length],
     text: [],

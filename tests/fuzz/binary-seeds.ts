@@ -3,9 +3,9 @@ import { fileURLToPath } from 'node:url';
 import type { Random } from '../../fixtures/simulator/random.ts';
 import {
   cartesianFields,
-  e57Bytes,
   type E57Field,
   type E57ScanContent,
+  e57Bytes,
   IGNORED_PACKET,
   INDEX_PACKET,
   integerField,
@@ -21,7 +21,10 @@ export function fixture(name: string): Bytes {
 }
 
 /** Twenty places of no pattern in a room of 5 × 4 × 3 m. */
-export const PLACES = Array.from({ length: 20 }, (_, i) => [i % 5, ((i * 7) % 17) / 4, ((i * 3) % 13) / 4] as const);
+export const PLACES = Array.from(
+  { length: 20 },
+  (_, i) => [i % 5, ((i * 7) % 17) / 4, ((i * 3) % 13) / 4] as const,
+);
 
 const viewOf = (bytes: Uint8Array) => new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
 
@@ -86,7 +89,8 @@ function withCrookedTree(bytes: Bytes, random: Random): Bytes {
     const edit = random.integer(0, 5);
     if (edit === 0) spoilt.copyWithin(at, entry(), root + size);
     if (edit === 1) view.setInt32(at, random.pick([-1, 0, 1, 2, 30, 31, 32, 2 ** 31 - 1]), true);
-    if (edit === 2) view.setBigUint64(at + 16, random.pick([0n, BigInt(root), BigInt(bytes.length), 2n ** 62n]), true);
+    if (edit === 2)
+      view.setBigUint64(at + 16, random.pick([0n, BigInt(root), BigInt(bytes.length), 2n ** 62n]), true);
     if (edit === 3) view.setInt32(at + 24, random.pick([0, 1, 32, size, 2 ** 31 - 1, -1]), true);
     if (edit === 4) view.setInt32(at + 28, random.pick([-1, 0, 1, 1000, 2 ** 31 - 1, -2]), true);
     if (edit === 5) {
@@ -105,17 +109,27 @@ const las = (name: string, content: Partial<LasContent>) =>
   lasSeed(name, lasBytes({ format: 3, minor: 2, points: CORNERS, ...content }));
 
 export const LAS_SEEDS: readonly Seed[] = [
-  ...['format-0.las', 'format-3.las', 'format-8.las'].map((name) => lasSeed(name, fixture(`foreign/${name}`))),
+  ...['format-0.las', 'format-3.las', 'format-8.las'].map((name) =>
+    lasSeed(name, fixture(`foreign/${name}`)),
+  ),
   las('keys.las', { records: [geoKeys({ 1024: 1, 3072: 31_467, 3076: 9002, 4099: 9001 })] }),
   las('wkt.las', { format: 8, minor: 4, hasWkt: true, records: [wktRecord(COMPOUND)] }),
   las('behind.las', { format: 6, minor: 4, extended: [wktRecord(ENGINEERING)], hasWkt: true, extraBytes: 3 }),
-  las('geocentric.las', { format: 7, minor: 4, hasWkt: true, records: [wktRecord('GEODCRS["w",CS[Cartesian,3]]')] }),
-  las('withheld.las', { format: 1, minor: 3, points: CORNERS.map((point, i) => ({ ...point, isWithheld: i > 4 })) }),
+  las('geocentric.las', {
+    format: 7,
+    minor: 4,
+    hasWkt: true,
+    records: [wktRecord('GEODCRS["w",CS[Cartesian,3]]')],
+  }),
+  las('withheld.las', {
+    format: 1,
+    minor: 3,
+    points: CORNERS.map((point, i) => ({ ...point, isWithheld: i > 4 })),
+  }),
   las('degrees.las', {
     format: 2,
     minor: 0,
     records: [geoKeys({ 1024: 2, 2048: 4326 })],
-    scale: [1e-7, 1e-7, 0.01],
     bounds: [
       [8, 50, 0],
       [500, 800, 9],
@@ -172,20 +186,35 @@ const LIMITS =
   '<intensityLimits type="Structure"><intensityMinimum type="Integer">0</intensityMinimum><intensityMaximum type="Integer">9</intensityMaximum></intensityLimits>';
 
 const E57_CONTENTS: readonly E57ScanContent[] = [
-  { fields: [...cartesianFields(PLACES).slice(0, 2), scaled, integerField('intensity', 0, 9, column(0))], xml: POSE + LIMITS },
+  {
+    fields: [...cartesianFields(PLACES).slice(0, 2), scaled, integerField('intensity', 0, 9, column(0))],
+    xml: POSE + LIMITS,
+  },
   {
     fields: [
       single('sphericalRange', column(1)),
       single('sphericalAzimuth', column(0)),
       single('sphericalElevation', column(2)),
-      integerField('sphericalInvalidState', 0, 2, column(0).map((x) => (x === 4 ? 2 : 0))),
+      integerField(
+        'sphericalInvalidState',
+        0,
+        2,
+        column(0).map((x) => (x === 4 ? 2 : 0)),
+      ),
       ...['colorRed', 'colorGreen', 'colorBlue'].map((name) => integerField(name, 0, 255, column(0))),
     ],
   },
   {
     fields: [
-      ...['cartesianX', 'cartesianY'].map((name, i) => integerField(name, -(2 ** 20), 2 ** 30, column(i as 0).map(Math.round))),
-      integerField('cartesianZ', 2, 2, column(2).map(() => 2)),
+      ...['cartesianX', 'cartesianY'].map((name, i) =>
+        integerField(name, -(2 ** 20), 2 ** 30, column(i as 0).map(Math.round)),
+      ),
+      integerField(
+        'cartesianZ',
+        2,
+        2,
+        column(2).map(() => 2),
+      ),
       integerField('classification', 0, 31, column(0)),
       { name: 'label', prototype: 'type="String"', values: [], bits: 0 },
     ],
@@ -202,26 +231,44 @@ function remakeE57(random: Random): Bytes {
       return list.map((item, i) => (i === chosen ? make(item) : item));
     };
     const fields = spoil(scan.fields, (field) => {
-      if (die === 0) return { ...field, prototype: mutateText(field.prototype, random).replace(/[<>&]/g, '') };
-      if (die === 1) return { ...field, bits: random.pick([1, 7, 13, 31, 63]), isFloat: false, values: field.values.map(() => 1) };
-      if (die === 2) return { ...field, values: field.values.slice(0, random.integer(0, field.values.length)) };
+      if (die === 0)
+        return { ...field, prototype: mutateText(field.prototype, random).replace(/[<>&]/g, '') };
+      if (die === 1)
+        return {
+          ...field,
+          bits: random.pick([1, 7, 13, 31, 63]),
+          isFloat: false,
+          values: field.values.map(() => 1),
+        };
+      if (die === 2)
+        return { ...field, values: field.values.slice(0, random.integer(0, field.values.length)) };
       return field;
     });
     const xml = die === 3 ? mutateText(scan.xml ?? POSE, random) : scan.xml;
     const recordCount = die === 4 ? random.pick([0, 1, 19, 21, 1000, 2 ** 31, 2 ** 53 - 1]) : undefined;
-    return { fields: die === 5 && random.chance(0.5) ? fields.slice(1) : fields, ...(xml && { xml }), ...(recordCount !== undefined && { recordCount }) };
+    return {
+      fields: die === 5 && random.chance(0.5) ? fields.slice(1) : fields,
+      ...(xml && { xml }),
+      ...(recordCount !== undefined && { recordCount }),
+    };
   });
   return e57Bytes(scans, {
     packets: random.integer(1, 3),
     between: random.pick([[], [INDEX_PACKET], [IGNORED_PACKET, INDEX_PACKET]]),
-    xml: random.chance(0.1) ? mutateText('<formatName type="String"><![CDATA[a]]></formatName><!-- b --><e a="1"/>', random) : '',
+    xml: random.chance(0.1)
+      ? mutateText('<formatName type="String"><![CDATA[a]]></formatName><!-- b --><e a="1"/>', random)
+      : '',
   });
 }
 
 export const E57_SEEDS: readonly Seed[] = [
   e57Seed('two-scans.e57', fixture('foreign/two-scans.e57')),
   e57Seed('packed-spherical.e57', fixture('foreign/packed-spherical.e57')),
-  e57Seed('built.e57', e57Bytes(E57_CONTENTS, { packets: 2, between: [INDEX_PACKET, IGNORED_PACKET] }), remakeE57),
+  e57Seed(
+    'built.e57',
+    e57Bytes(E57_CONTENTS, { packets: 2, between: [INDEX_PACKET, IGNORED_PACKET] }),
+    remakeE57,
+  ),
   e57Seed('one.e57', e57Bytes(E57_CONTENTS.slice(1, 2)), remakeE57),
 ];
 

@@ -4,23 +4,9 @@ import { expect, inject, it } from 'vitest';
 import { seededRandom } from '../../fixtures/simulator/random.ts';
 import { type FormatReport, MOST_BYTES, MOST_MS, repeatCommand } from './report.ts';
 import { type FuzzCase, makeCase, runCase } from './run-case.ts';
-import { type FuzzFormat, SEEDS } from './seeds.ts';
+import { SEEDS } from './seeds.ts';
+import type { FuzzTask } from './task.ts';
 import { startWatchdog } from './watchdog.ts';
-
-export interface FuzzTask {
-  readonly format: FuzzFormat;
-  readonly seed: number;
-  /** Number of the first case, and how many there are. */
-  readonly first: number;
-  readonly cases: number;
-  readonly folder: string;
-}
-
-declare module 'vitest' {
-  interface ProvidedContext {
-    task: FuzzTask;
-  }
-}
 
 /** A reader that fails in more ways than this is to be mended first. */
 const MOST_FAILURES = 20;

@@ -10,7 +10,17 @@ export interface Zone {
 export type ByteEdit = (bytes: Bytes, zone: Zone, random: Random) => Bytes;
 
 const POWERS = [7, 8, 15, 16, 24, 31, 32, 40, 53, 63].map((bits) => 2n ** BigInt(bits));
-const INTEGERS = [0n, 1n, -1n, 2n, 64n, 100n, 1020n, 1024n, ...POWERS.flatMap((power) => [power - 1n, power, -power])];
+const INTEGERS = [
+  0n,
+  1n,
+  -1n,
+  2n,
+  64n,
+  100n,
+  1020n,
+  1024n,
+  ...POWERS.flatMap((power) => [power - 1n, power, -power]),
+];
 const FLOATS = [0, -0, 1, -1, 1e-300, 1e-9, 0.1, 1e9, 1e12, 1e13, 3e38, 1e300, NaN, Infinity, -Infinity];
 /** Edits fall so near behind a boundary: the first fields of a record. */
 const NEAR_BYTES = 12;
@@ -24,7 +34,17 @@ export const RIGID_EDITS: readonly ByteEdit[] = [
     return bytes;
   },
   (bytes, zone, random) => {
-    bytes[placeIn(bytes, zone, random)] = random.pick([0, 1, 10, 32, 127, 128, 254, 255, random.integer(0, 255)]);
+    bytes[placeIn(bytes, zone, random)] = random.pick([
+      0,
+      1,
+      10,
+      32,
+      127,
+      128,
+      254,
+      255,
+      random.integer(0, 255),
+    ]);
     return bytes;
   },
   putInteger,
@@ -51,7 +71,11 @@ export const LOOSE_EDITS: readonly ByteEdit[] = [
   },
   (bytes, zone, random) => {
     const at = placeIn(bytes, zone, random);
-    return splice(bytes, [at, at], Array.from({ length: random.integer(1, 40) }, () => random.integer(0, 255)));
+    return splice(
+      bytes,
+      [at, at],
+      Array.from({ length: random.integer(1, 40) }, () => random.integer(0, 255)),
+    );
   },
 ];
 

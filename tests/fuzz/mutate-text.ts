@@ -1,12 +1,72 @@
 import type { Random } from '../../fixtures/simulator/random.ts';
 
 const NUMBERS = [
-  ...['nan', 'NaN', 'inf', '-Infinity', '1e999', '-1e999', '1e-999', '-0', '0', '1', '-1', '1.5', '2', '', '""'],
+  ...[
+    'nan',
+    'NaN',
+    'inf',
+    '-Infinity',
+    '1e999',
+    '-1e999',
+    '1e-999',
+    '-0',
+    '0',
+    '1',
+    '-1',
+    '1.5',
+    '2',
+    '',
+    '""',
+  ],
   ...['255', '256', '65536', '2147483647', '2147483648', '4294967295', '4294967296', '9007199254740993'],
-  ...['1e9', '1e12', '1e13', '1e38', '1e300', '0.1.2', '1,5', '0x10', '١', '99999999999999999999999', '+', '-', '.'],
-  ...['1e', '1e+', '.5', '5.', '007', '1_000', '12abc', '-2147483649', '1.7976931348623157e308', '0.000000000000000001'],
+  ...[
+    '1e9',
+    '1e12',
+    '1e13',
+    '1e38',
+    '1e300',
+    '0.1.2',
+    '1,5',
+    '0x10',
+    '١',
+    '99999999999999999999999',
+    '+',
+    '-',
+    '.',
+  ],
+  ...[
+    '1e',
+    '1e+',
+    '.5',
+    '5.',
+    '007',
+    '1_000',
+    '12abc',
+    '-2147483649',
+    '1.7976931348623157e308',
+    '0.000000000000000001',
+  ],
 ];
-const MARKS = ['\0', '\n', '\r', '\r\n', ' ', '\t', ',', ';', '"', '<', '>', '/', '#', '\\', '{', '}', 'é', '\u00ff'];
+const MARKS = [
+  '\0',
+  '\n',
+  '\r',
+  '\r\n',
+  ' ',
+  '\t',
+  ',',
+  ';',
+  '"',
+  '<',
+  '>',
+  '/',
+  '#',
+  '\\',
+  '{',
+  '}',
+  'é',
+  '\u00ff',
+];
 /** A number that stands alone or in quotes, brackets and the like. */
 const NUMBER = /[-+]?\d[\d.]*(?:[eE][-+]?\d+)?/g;
 const WORD = /[A-Za-z_]\w*/g;
@@ -39,13 +99,15 @@ const EDITS: readonly TextEdit[] = [
     return text.slice(0, at) + random.pick(MARKS) + text.slice(at);
   },
   (text, random) => text.slice(0, random.integer(0, text.length)),
-  (text, random) => (random.chance(0.3) ? text.replaceAll('\n', random.pick(['\r', '\r\n', '\n\n', ' \n'])) : text),
+  (text, random) =>
+    random.chance(0.3) ? text.replaceAll('\n', random.pick(['\r', '\r\n', '\n\n', ' \n'])) : text,
 ];
 
 /** Spoils a text: numbers, counts, words, marks and lines. */
 export function mutateText(text: string, random: Random): string {
   let spoilt = text;
-  for (let edits = random.pick([1, 1, 1, 2, 4]); edits > 0; edits--) spoilt = random.pick(EDITS)(spoilt, random);
+  for (let edits = random.pick([1, 1, 1, 2, 4]); edits > 0; edits--)
+    spoilt = random.pick(EDITS)(spoilt, random);
   return spoilt;
 }
 
@@ -61,14 +123,16 @@ function pickMatch(text: string, pattern: RegExp, random: Random): string {
 }
 
 function pickWord(text: string, random: Random): string {
-  return random.chance(0.8) ? pickMatch(text, WORD, random) : random.pick(['', 'x', 'nan', '__proto__', 'constructor']);
+  return random.chance(0.8)
+    ? pickMatch(text, WORD, random)
+    : random.pick(['', 'x', 'nan', '__proto__', 'constructor']);
 }
 
 /** Spoils a value of JSON: numbers, indices, lists, keys, cycles of indices. */
 export function mutateJson(json: unknown, random: Random): unknown {
   const copy = { root: structuredClone(json) };
   for (let edits = random.pick([1, 1, 2, 4]); edits > 0; edits--) spoilOne(copy, random);
-  return copy.root;
+  return copy.root ?? null;
 }
 
 type Holder = Record<string, unknown>;
@@ -89,9 +153,32 @@ function spoilOne(root: Holder, random: Random): void {
   if (die < 0.15) delete holder[key];
   else if (die < 0.3) holder[key] = structuredClone(other[otherKey]);
   else if (die < 0.4 && Array.isArray(value)) holder[key] = [...value, ...structuredClone(value)];
-  else if (typeof value === 'number') holder[key] = random.pick([...JSON_NUMBERS, value + 1, value - 1, -value, 2 * value]);
-  else if (typeof value === 'string') holder[key] = random.pick(['', 'SCALAR', 'VEC3', 'VEC4', 'MAT4', `${value}x`, 7]);
+  else if (typeof value === 'number')
+    holder[key] = random.pick([...JSON_NUMBERS, value + 1, value - 1, -value, 2 * value]);
+  else if (typeof value === 'string')
+    holder[key] = random.pick(['', 'SCALAR', 'VEC3', 'VEC4', 'MAT4', `${value}x`, 7]);
   else holder[key] = random.pick([null, [], {}, 0, 1, 'x', [0], [[0]], true]);
 }
 
-const JSON_NUMBERS = [0, 1, 2, 3, 4, 5, 6, -1, 0.5, 255, 5120, 5121, 5123, 5125, 5126, 65_536, 2 ** 31, 2 ** 53, 1e300, null];
+const JSON_NUMBERS = [
+  0,
+  1,
+  2,
+  3,
+  4,
+  5,
+  6,
+  -1,
+  0.5,
+  255,
+  5120,
+  5121,
+  5123,
+  5125,
+  5126,
+  65_536,
+  2 ** 31,
+  2 ** 53,
+  1e300,
+  null,
+];

@@ -39,7 +39,15 @@ export function formatReports(reports: readonly FormatReport[]): string {
       .map(([code, count]) => `${code.replace('input/', '')} ${count}`)
       .join(', '),
   ]);
-  const head = ['format', 'cases', 'past the header', 'scans', 'slowest ms (case)', 'peak MB (case)', 'errors'];
+  const head = [
+    'format',
+    'cases',
+    'past the header',
+    'scans',
+    'slowest ms (case)',
+    'peak MB (case)',
+    'errors',
+  ];
   return table([head, ...rows]);
 }
 
@@ -61,7 +69,8 @@ export function problemsOf(reports: readonly FormatReport[], coverage: Coverage 
       : []),
   ]);
   const { total, covered } = coverage?.total ?? { total: 0, covered: 0 };
-  if (covered < LEAST_COVERAGE * total) problems.push(`only ${percent(covered, total)} of the readers' lines were run`);
+  if (covered < LEAST_COVERAGE * total)
+    problems.push(`only ${percent(covered, total)} of the readers' lines were run`);
   return problems;
 }
 
@@ -78,7 +87,9 @@ function table(rows: readonly (readonly string[])[]): string {
   return rows
     .map((row) =>
       row
-        .map((cell, column) => (column === 0 || column > 5 ? cell.padEnd(widths[column]) : cell.padStart(widths[column])))
+        .map((cell, column) =>
+          column === 0 || column > 5 ? cell.padEnd(widths[column]) : cell.padStart(widths[column]),
+        )
         .join('  ')
         .trimEnd(),
     )

@@ -12,8 +12,8 @@ import { mutate } from './mutate.ts';
 import type { Bytes, Seed } from './seed.ts';
 
 /** Small, so that a case is quick: cells of 12.5 cm, and budgets that are passed. */
-const OPTIONS = resolveOptions({ resolution: 0.2, pointBudget: 1_000 });
-const LARGE = resolveOptions({ resolution: 0.05, pointBudget: 50_000 });
+const OPTIONS = resolveOptions({ resolution: 0.2, pointBudget: 1_000, unit: 'm' });
+const LARGE = resolveOptions({ resolution: 0.1, pointBudget: 3_000 });
 const CLASSES = resolveOptions({ resolution: 0.2, pointBudget: 1_000, classes: '2,6' });
 
 /** How a case ended. */
@@ -52,7 +52,13 @@ export async function runCase({ bytes, name, random }: FuzzCase): Promise<CaseRe
   try {
     await openScan([watched]);
     isPastHeader = true;
-    outcome = checkScan(await readScan(sources, random.pick([OPTIONS, OPTIONS, LARGE, CLASSES]), controlOf(random)));
+    outcome = checkScan(
+      await readScan(
+        sources,
+        random.pick([OPTIONS, OPTIONS, OPTIONS, OPTIONS, LARGE, CLASSES]),
+        controlOf(random),
+      ),
+    );
   } catch (error) {
     outcome = checkError(error);
   } finally {
@@ -91,7 +97,8 @@ function controlOf(random: Random): ReadControl {
 }
 
 function checkScan({ positions, warnings }: Scan): string {
-  if (positions.length < 9 || positions.length % 3 !== 0) throw new Error(`a scan of ${positions.length} numbers`);
+  if (positions.length < 9 || positions.length % 3 !== 0)
+    throw new Error(`a scan of ${positions.length} numbers`);
   if (!positions.every(Number.isFinite)) throw new Error('a scan with a coordinate that is not finite');
   for (const { code, message } of warnings) if (!code || !message) throw new Error('a warning without words');
   return 'scan';
@@ -102,7 +109,8 @@ function checkError(error: unknown): string {
   const { code, message, hint } = error;
   const isOurs = code.startsWith('input/') || code === 'cancelled';
   if (!isOurs) throw new Error(`the code ${code}: ${message}`, { cause: error });
-  if (message === '' || (hint === '' && code !== 'cancelled')) throw new Error(`${code} without words: ${message}`);
+  if (message === '' || (hint === '' && code !== 'cancelled'))
+    throw new Error(`${code} without words: ${message}`);
   return code;
 }
 

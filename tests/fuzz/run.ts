@@ -11,9 +11,9 @@ import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import type { FuzzTask } from './format.fuzz.ts';
 import { type Coverage, type FormatReport, formatCoverage, formatReports, problemsOf } from './report.ts';
 import { FUZZ_FORMATS, type FuzzFormat } from './seeds.ts';
+import type { FuzzTask } from './task.ts';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const folder = join(root, '.cache/fuzz');
@@ -50,7 +50,11 @@ const vitest = join(root, 'node_modules/vitest/vitest.mjs');
 const { status } = spawnSync(
   process.execPath,
   [vitest, 'run', '-c', 'tests/fuzz/vitest.config.ts', '--root', root, ...(isWhole ? ['--coverage'] : [])],
-  { cwd: root, stdio: ['ignore', 'inherit', 'inherit'], env: { ...process.env, FUZZ_TASKS: JSON.stringify(tasks) } },
+  {
+    cwd: root,
+    stdio: ['ignore', 'inherit', 'inherit'],
+    env: { ...process.env, FUZZ_TASKS: JSON.stringify(tasks) },
+  },
 );
 
 const reports = tasks.map(({ format }) => join(folder, `${format}.json`)).filter((file) => existsSync(file));
@@ -61,7 +65,8 @@ console.log(formatReports(read));
 if (coverage) console.log(`\n${formatCoverage(coverage)}`);
 const problems = problemsOf(read, coverage);
 for (const { format } of tasks)
-  if (!read.some((report) => report.format === format)) problems.push(`${format}: ended before its time, see above`);
+  if (!read.some((report) => report.format === format))
+    problems.push(`${format}: ended before its time, see above`);
 if (status !== 0 && problems.length === 0) problems.push('Vitest tells of an error, see above');
 for (const problem of problems) console.log(`\n✗ ${problem}`);
 if (problems.length > 0) process.exitCode = 1;
@@ -69,8 +74,13 @@ if (problems.length > 0) process.exitCode = 1;
 function readCoverage(): Coverage | null {
   const file = join(folder, 'coverage/coverage-summary.json');
   if (!existsSync(file)) return null;
-  const summary: Record<string, { lines: { total: number; covered: number } }> = JSON.parse(readFileSync(file, 'utf8'));
+  const summary: Record<string, { lines: { total: number; covered: number } }> = JSON.parse(
+    readFileSync(file, 'utf8'),
+  );
   return Object.fromEntries(
-    Object.entries(summary).map(([path, { lines }]) => [path === 'total' ? path : relative(root, path), lines]),
+    Object.entries(summary).map(([path, { lines }]) => [
+      path === 'total' ? path : relative(root, path),
+      lines,
+    ]),
   );
 }

@@ -38,6 +38,7 @@ export function bytesOfLatin1(text: string): Bytes {
 export function placesOf(bytes: Uint8Array, mark: string): number[] {
   const text = textOf(bytes);
   const places: number[] = [];
-  for (let at = text.indexOf(mark); at >= 0; at = text.indexOf(mark, at + 1)) places.push(at, at + mark.length);
+  for (let at = text.indexOf(mark); at >= 0; at = text.indexOf(mark, at + 1))
+    places.push(at, at + mark.length);
   return places;
 }

@@ -1,5 +1,5 @@
-import { pcdBytes, type PcdContent } from '../unit/read/pcd-bytes.ts';
-import { plyBytes, type PlyContent } from '../unit/read/ply-bytes.ts';
+import { type PcdContent, pcdBytes } from '../unit/read/pcd-bytes.ts';
+import { type PlyContent, plyBytes } from '../unit/read/ply-bytes.ts';
 import { ptxHeader } from '../unit/read/ptx-text.ts';
 import { fixture, PLACES } from './binary-seeds.ts';
 import { type Bytes, bytesOfLatin1, placesOf, type Seed } from './seed.ts';
@@ -12,7 +12,9 @@ function linesSeed(name: string, bytes: Bytes, { mark = '', isBinary = false } =
   return {
     name,
     bytes,
-    boundaries: [...boundaries, bodyBegin, bodyBegin + 4, bodyBegin + 8].filter((at) => at > 0 && at < bytes.length),
+    boundaries: [...boundaries, bodyBegin, bodyBegin + 4, bodyBegin + 8].filter(
+      (at) => at > 0 && at < bytes.length,
+    ),
     body: [bodyBegin, bytes.length],
     text: [isBinary ? [0, bodyBegin] : [0, bytes.length]],
   };
@@ -52,7 +54,11 @@ const face: PlyContent = {
     [0, [0, 5, 2, 8], [1]],
   ],
 };
-const plain: PlyContent = { ...face, properties: face.properties.slice(1, 2), records: [[[0, 1, 2]], [[3, 4, 9, 11]]] };
+const plain: PlyContent = {
+  ...face,
+  properties: face.properties.slice(1, 2),
+  records: [[[0, 1, 2]], [[3, 4, 9, 11]]],
+};
 
 const PLY_FORMATS = ['ascii', 'binary_little_endian', 'binary_big_endian'] as const;
 const ply = (name: string, elements: readonly PlyContent[], format: (typeof PLY_FORMATS)[number]) =>
@@ -107,11 +113,22 @@ const table = (separator: string, make: (place: readonly number[], i: number) =>
   PLACES.map((place, i) => `${make(place, i).join(separator)}\n`).join('');
 
 export const CSV_SEEDS: readonly Seed[] = [
-  ...['cloudcompare.txt', 'paper-slice.csv', 'spreadsheet.csv'].map((name) => linesSeed(name, fixture(`clouds/${name}`))),
-  text('named.csv', `x,y,z,r,g,b,intensity,class\n${table(',', ([x, y, z], i) => [x, y, z, i, 2, 3, 0.5, i])}`),
-  text('plain.xyz', table(' ', ([x, y, z], i) => [x, y, z, i, 255, 0, 9])),
+  ...['cloudcompare.txt', 'paper-slice.csv', 'spreadsheet.csv'].map((name) =>
+    linesSeed(name, fixture(`clouds/${name}`)),
+  ),
+  text(
+    'named.csv',
+    `x,y,z,r,g,b,intensity,class\n${table(',', ([x, y, z], i) => [x, y, z, i, 2, 3, 0.5, i])}`,
+  ),
+  text(
+    'plain.xyz',
+    table(' ', ([x, y, z], i) => [x, y, z, i, 255, 0, 9]),
+  ),
   text('numbered.txt', `20\n${table('\t', ([x, y, z], i) => [i, x + 0.25, y + 0.25, z + 0.125])}`),
-  text('comma.txt', table(';', ([x, y]) => [x, y].map((value) => `${value}`.replace('.', ',')))),
+  text(
+    'comma.txt',
+    table(';', ([x, y]) => [x, y].map((value) => `${value}`.replace('.', ','))),
+  ),
   text('quoted.csv', `"x","y","z"\r\n${table(',', (place) => place.map((value) => `"${value}"`))}`),
   text('mac.csv', table(' ', (place) => place).replaceAll('\n', '\r')),
 ];
@@ -147,7 +164,13 @@ const corners = table(' ', (place) => ['v', ...place]);
 
 export const OBJ_SEEDS: readonly Seed[] = [
   linesSeed('flat.obj', fixture('foreign/flat.obj')),
-  text('quads.obj', `mtllib a.mtl\no Room\n${corners}f 1 2 3 4\nf -1//1 -2 \\\n -3/2 # a face\nf 1/2/3 7 9 11 3\n`),
+  text(
+    'quads.obj',
+    `mtllib a.mtl\no Room\n${corners}f 1 2 3 4\nf -1//1 -2 \\\n -3/2 # a face\nf 1/2/3 7 9 11 3\n`,
+  ),
   text('points.obj', `# points\n${table(' ', ([x, y, z], i) => ['v', x, y, z, i, 2, 3])}`),
-  text('weighted.obj', table(' ', ([x, y, z]) => ['v', x, y, z, 1, 0.5, 0, 1])),
+  text(
+    'weighted.obj',
+    table(' ', ([x, y, z]) => ['v', x, y, z, 1, 0.5, 0, 1]),
+  ),
 ];

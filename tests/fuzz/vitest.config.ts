@@ -1,5 +1,5 @@
 import { defineConfig } from 'vitest/config';
-import type { FuzzTask } from './format.fuzz.ts';
+import type { FuzzTask } from './task.ts';
 
 /** Handed over by run.ts. */
 const tasks: readonly FuzzTask[] = JSON.parse(process.env.FUZZ_TASKS ?? '[]');

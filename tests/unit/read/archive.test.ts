@@ -1,6 +1,7 @@
 import { gzipSync, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { resolveOptions } from '../../../src/core/options.ts';
+import { unpackedSource } from '../../../src/read/archive/unpacked-source.ts';
 import type { ByteSource } from '../../../src/read/bytes/source.ts';
 import { openScan } from '../../../src/read/open-scan.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
@@ -83,6 +84,28 @@ describe('a packed scan', () => {
       expect(total).toBe(many.length);
     }
   });
+});
+
+it('keeps less at hand of each file where there are many', async () => {
+  const bytes = new Uint8Array(3 << 20);
+  for (const [files, unpacked] of [
+    [1, 1],
+    [1_000, 2],
+  ]) {
+    let begun = 0;
+    const source = unpackedSource({
+      name: 'a',
+      size: undefined,
+      files,
+      unpack: () => {
+        begun++;
+        return memorySource(bytes, 'a').stream();
+      },
+    });
+    await source.slice(0, 1 << 16);
+    await source.slice(1 << 17, 1 << 18);
+    expect(begun).toBe(unpacked);
+  }
 });
 
 describe('the clouds in a ZIP', () => {
