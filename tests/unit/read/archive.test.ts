@@ -161,6 +161,21 @@ describe('damaged archives', () => {
     await expect(reading).rejects.toMatchObject({ code, hint: expect.stringMatching(/./) });
   });
 
+  it('files that share their bytes', async () => {
+    const stored = zipSync({ 'a.csv': [CSV, { level: 0 }] });
+    const end = stored.length - 22;
+    const begin = new DataView(stored.buffer).getUint32(end + 16, true);
+    const entry = stored.subarray(begin, end);
+    const bytes = Uint8Array.from([...stored.subarray(0, end), ...entry, ...stored.subarray(end)]);
+    const view = new DataView(bytes.buffer, end + entry.length);
+    view.setUint16(10, 2, true);
+    view.setUint32(12, 2 * entry.length, true);
+    await expect(openScan([memorySource(bytes, 'a.zip')])).rejects.toMatchObject({
+      code: 'input/malformed',
+      message: expect.stringContaining('side by side'),
+    });
+  });
+
   it('archives in archives in archives', async () => {
     let bytes: Uint8Array = CSV;
     for (let i = 0; i < 5; i++) bytes = gzipSync(bytes);
