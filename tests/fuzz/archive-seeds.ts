@@ -99,7 +99,7 @@ export const GZIP_SEEDS: readonly Seed[] = INNER.flatMap((seeds, i) => [
 ]);
 
 export const ZIP_SEEDS: readonly Seed[] = INNER.map((seeds) => {
-  const [first, last] = [seeds[0], seeds[seeds.length - 1]];
-  const files: Zippable = { [`tiles/${first.name}`]: [first.bytes, { level: 0 }], [last.name]: last.bytes };
-  return zipSeed(`${first.name}.zip`, files, seeds);
+  const [{ name, bytes }] = seeds;
+  const files: Zippable = { [`tiles/${name}`]: [bytes, { level: 0 }], [name]: bytes };
+  return zipSeed(`${name}.zip`, files, seeds);
 });

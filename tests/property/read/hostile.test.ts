@@ -10,7 +10,7 @@ import { FUZZ_FORMATS, SEEDS } from '../../fuzz/seeds.ts';
 import { bytesOf, memorySource } from '../../unit/read/memory-source.ts';
 
 /** `npm run fuzz` has 100,000 of these cases. */
-const CASES = 60;
+const CASES = 40;
 /** Of a format's structural boundaries, evenly. */
 const MOST_CUTS = 120;
 const OPTIONS = resolveOptions({ pointBudget: 1_000, resolution: 0.2, unit: 'm' });
@@ -34,14 +34,10 @@ it.each(FUZZ_FORMATS)('%s files cut at every structural boundary', async (format
 });
 
 it.each(FUZZ_FORMATS)('%s files are whole before they are spoilt', async (format) => {
-  const outcomes = SEEDS[format].map(async ({ name, bytes }) =>
-    readScan(memorySource(bytes, name), OPTIONS).then(
-      () => 'scan',
-      ({ code }) => code,
-    ),
-  );
-  const known = ['scan', 'input/geographic-coordinates', 'input/degenerate'];
-  for (const outcome of await Promise.all(outcomes)) expect(known).toContain(outcome);
+  for (const { name, bytes } of SEEDS[format]) {
+    const { positions } = await readScan(memorySource(bytes, name), OPTIONS);
+    expect(positions.length, name).toBeGreaterThanOrEqual(9);
+  }
 });
 
 const anyBytes = fc.oneof(
