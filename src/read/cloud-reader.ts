@@ -33,9 +33,10 @@ export interface OpenCloud {
    *
    * @param spacing two points closer than this may be told as one, source units; 0 where the unit is not known yet: an
    * adaptive cloud then yields a rough whole of some hundred thousand points, to judge its unit from
+   * @param budget points that are kept at most: an adaptive cloud yields no more than serve them
    * @throws FloorPlanError input/…
    */
-  chunks(progress: ReadProgress, spacing: number): AsyncIterable<PointChunk>;
+  chunks(progress: ReadProgress, spacing: number, budget?: number): AsyncIterable<PointChunk>;
   /** Filled while reading. */
   readonly warnings: Warning[];
 }

@@ -35,11 +35,11 @@ export function mergeClouds(parts: readonly CloudPart[]): OpenCloud {
     }),
     stations,
     warnings,
-    chunks(progress, spacing) {
+    chunks(progress, ...rest) {
       warnings.length = 0;
       stations.length = 0;
       sameCrs(parts, warnings);
-      return readParts({ parts, stations, warnings }, progress, spacing);
+      return readParts({ parts, stations, warnings }, progress, rest);
     },
   };
 }
@@ -53,7 +53,7 @@ interface Merging {
 async function* readParts(
   { parts, stations, warnings }: Merging,
   progress: ReadProgress,
-  spacing: number,
+  rest: readonly [spacing: number, budget?: number | undefined],
 ): AsyncGenerator<PointChunk> {
   let before = 0;
   for (const { name, cloud, size } of parts) {
@@ -63,7 +63,7 @@ async function* readParts(
       read = bytes;
       progress(before + bytes);
     };
-    for await (const chunk of cloud.chunks(tell, spacing)) yield withStations(chunk, firstStation);
+    for await (const chunk of cloud.chunks(tell, ...rest)) yield withStations(chunk, firstStation);
     before += size ?? read;
     stations.push(...(cloud.stations ?? []));
     warnings.push(

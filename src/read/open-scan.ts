@@ -90,7 +90,7 @@ async function cloudsAmong(files: readonly UnpackedSource[]): Promise<UnpackedSo
 function withPackedProgress(cloud: OpenCloud, file: UnpackedSource): OpenCloud {
   return {
     ...cloud,
-    chunks: (progress, spacing) => cloud.chunks(() => progress(file.packedBytesRead), spacing),
+    chunks: (progress, ...rest) => cloud.chunks(() => progress(file.packedBytesRead), ...rest),
   };
 }
 

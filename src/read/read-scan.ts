@@ -116,10 +116,11 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
   const preview = control.onPreview && run.bytesBefore === 0 ? new Preview(control.onPreview) : null;
   let thinning: Thinning | null = null;
   const filter = run.classes && new ClassFilter(run.classes);
-  const chunks = cloud.chunks((bytesRead) => {
+  const tell = (bytesRead: number) => {
     run.bytesRead = bytesRead;
     report(run, thinning?.read ?? 0);
-  }, cell ?? 0);
+  };
+  const chunks = cloud.chunks(tell, cell ?? 0, options.pointBudget);
   // Half: most scans lose more than that to thinning, and a table that proves too small grows once.
   const expected = (cloud.pointsAnnounced ?? 0) / 2;
   for await (const read of chunks) {

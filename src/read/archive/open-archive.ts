@@ -31,7 +31,7 @@ export async function openArchive(source: ByteSource, head: Uint8Array): Promise
   const entries = (await readZipDirectory(source)).filter(({ name }) => !LITTER.test(name));
   if (entries.length === 0) throw noFiles(source);
   if (entries.length > MOST_ENTRIES) throw tooMany(source, entries.length);
-  return Promise.all(entries.map((entry) => unzipped(source, entry)));
+  return Promise.all(entries.map((entry) => unzipped(source, entry, entries.length)));
 }
 
 /** `scan.ply.gz` holds `scan.ply`. */
@@ -40,12 +40,13 @@ function gunzipped(source: ByteSource): UnpackedSource {
     name: source.name.replace(/\.gz$/i, ''),
     // The size a gzip file tells at its end is modulo 4 GB and of its last part only.
     size: undefined,
+    files: 1,
     unpack: (onTaken) =>
       inflate({ name: source.name, stream: () => source.stream(), method: 'gzip', onTaken }),
   });
 }
 
-async function unzipped(source: ByteSource, entry: ZipEntry): Promise<UnpackedSource> {
+async function unzipped(source: ByteSource, entry: ZipEntry, files: number): Promise<UnpackedSource> {
   const name = `${source.name} › ${entry.name}`;
   assertReadable(name, entry);
   const begin = await entryBegin(source, entry);
@@ -55,6 +56,7 @@ async function unzipped(source: ByteSource, entry: ZipEntry): Promise<UnpackedSo
   return unpackedSource({
     name,
     size: bytes,
+    files,
     unpack: (onTaken) =>
       inflate({ name, unpackedSize: bytes, stream: packed.stream, method: 'deflate-raw', onTaken }),
   });

@@ -6,6 +6,8 @@ import { HEAD_BYTES } from '../signatures.ts';
 
 /** Kept at hand: enough for any header, so that a format read in order is never unpacked twice. */
 const KEPT_BYTES = 16 * HEAD_BYTES;
+/** Of all files of an archive together, while each has what tells its format. */
+const MOST_KEPT_BYTES = 1 << 26;
 /** Of an archive whose format is read out of order, which is then kept whole. */
 const MOST_BYTES = 2 ** 31;
 /** A blob is made of pieces no smaller. */
@@ -21,6 +23,8 @@ export interface Unpacking {
   readonly name: string;
   /** Bytes there will be, where the archive tells. */
   readonly size: number | undefined;
+  /** Files in the archive: of many, less of each is kept at hand. */
+  readonly files: number;
   /** All bytes in order; tells the packed bytes it takes. */
   unpack(onTaken: (bytes: number) => void): AsyncIterable<Uint8Array>;
 }
@@ -31,7 +35,8 @@ export interface Unpacking {
  *
  * @throws input/too-large, from `slice`
  */
-export function unpackedSource({ name, size, unpack }: Unpacking): UnpackedSource {
+export function unpackedSource({ name, size, files, unpack }: Unpacking): UnpackedSource {
+  const keptBytes = Math.min(KEPT_BYTES, Math.max(HEAD_BYTES, Math.floor(MOST_KEPT_BYTES / files)));
   let packedBytesRead = 0;
   const all = () =>
     unpack((bytes) => {
@@ -50,9 +55,9 @@ export function unpackedSource({ name, size, unpack }: Unpacking): UnpackedSourc
       yield* whole ? (await whole).stream() : all();
     },
     async slice(begin, end) {
-      head ??= firstBytes(all(), KEPT_BYTES);
+      head ??= firstBytes(all(), keptBytes);
       const first = await head;
-      if (end <= first.length || first.length < KEPT_BYTES) return first.slice(begin, end);
+      if (end <= first.length || first.length < keptBytes) return first.slice(begin, end);
       whole ??= unpackWhole(name, all());
       return (await whole).slice(begin, end);
     },

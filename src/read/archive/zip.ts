@@ -48,7 +48,19 @@ export async function readZipDirectory(source: ByteSource): Promise<ZipEntry[]> 
   const tail = await source.slice(Math.max(0, size - END_BYTES - MOST_COMMENT), size);
   const end = await findEnd(source, viewOf(tail), size - tail.length);
   if (end.offset + end.bytes > size || end.bytes > MOST_DIRECTORY_BYTES) throw noDirectory(name, end.offset);
-  return parseEntries(name, await source.slice(end.offset, end.offset + end.bytes), end.count);
+  const entries = parseEntries(name, await source.slice(end.offset, end.offset + end.bytes), end.count);
+  const packed = entries.reduce((sum, { packedBytes }) => sum + packedBytes, 0);
+  // A bomb's files share their bytes: a few megabytes would unpack to terabytes.
+  if (packed > size) throw overlapping(name, packed, size);
+  return entries;
+}
+
+function overlapping(name: string, packed: number, size: number): FloorPlanError {
+  return new FloorPlanError(
+    'input/malformed',
+    `${name}: expected files side by side in an archive of ${size} bytes, found files of ${packed} bytes`,
+    { hint: 'The archive seems damaged or made to do harm; pack the scan again.', detail: { packed } },
+  );
 }
 
 /** Byte offset of an entry's packed bytes. @throws input/malformed */

@@ -55,6 +55,8 @@ export class CopcHierarchy {
   readonly #mostPoints: number;
   #pages: readonly Page[];
   #pageBytes = 0;
+  /** As far as pages reach that were found: the file is no shorter, where it does not tell its size. */
+  #end = 0;
   #nodeBytes = 0;
   #points = 0;
 
@@ -82,17 +84,15 @@ export class CopcHierarchy {
   }
 
   async #fetch({ offset, bytes }: Page): Promise<Uint8Array> {
-    const { name, size = MOST_BYTES } = this.#source;
+    const { name } = this.#source;
     this.#pageBytes += bytes;
-    if (bytes === 0 || bytes % ENTRY_BYTES !== 0 || this.#pageBytes > Math.min(size, MOST_BYTES))
+    if (bytes === 0 || bytes % ENTRY_BYTES !== 0 || this.#pageBytes > MOST_BYTES)
       throw malformed(name, offset, 'a page of the octree', `${bytes} bytes`);
     const page = await this.#source.slice(offset, offset + bytes);
-    if (page.length === bytes) return page;
-    throw new FloorPlanError(
-      'input/truncated',
-      `${name}: expected ${bytes} bytes of the octree at byte ${offset}, found ${page.length}`,
-      { hint: 'The file seems cut off; copy or export it again.', detail: { offset } },
-    );
+    if (page.length < bytes) throw pageCut(name, offset, { expected: bytes, found: page.length });
+    this.#end = Math.max(this.#end, offset + bytes);
+    if (this.#pageBytes > this.#end) throw malformed(name, offset, 'a page of the octree', 'one read before');
+    return page;
   }
 
   #parse(page: Page, bytes: Uint8Array): void {
@@ -124,6 +124,14 @@ export class CopcHierarchy {
     }
     this.nodes.push(node);
   }
+}
+
+function pageCut(name: string, offset: number, bytes: { expected: number; found: number }): FloorPlanError {
+  return new FloorPlanError(
+    'input/truncated',
+    `${name}: expected ${bytes.expected} bytes of the octree at byte ${offset}, found ${bytes.found}`,
+    { hint: 'The file seems cut off; copy or export it again.', detail: { offset } },
+  );
 }
 
 function copcError(name: string, expected: string, found: string | number): FloorPlanError {

@@ -1,5 +1,5 @@
 import { FloorPlanError } from '../../core/errors.ts';
-import type { LasHeader } from './las-header.ts';
+import { type LasHeader, malformed } from './las-header.ts';
 import { FIRST_EXTENDED } from './point-formats.ts';
 import type { VariableRecord } from './variable-records.ts';
 
@@ -12,6 +12,8 @@ export interface LaszipRecord {
 }
 
 const LASZIP_ID = 22_204;
+/** Where the header tells the length of a record. */
+const RECORD_BYTES_AT = 105;
 const FIXED_BYTES = 34;
 const VARIABLE_CHUNKS = 0xffff_ffff;
 /** Compressors with a chunk table: point after point, and in layers. */
@@ -48,7 +50,7 @@ interface Item {
 /** Reads the record and checks that these points can be decompressed. @throws input/malformed, input/unknown-format */
 export function readLaszipRecord(
   name: string,
-  { format }: LasHeader,
+  { format, recordBytes }: LasHeader,
   records: readonly VariableRecord[],
 ): LaszipRecord {
   const record = records.find(({ user, id }) => user === 'laszip encoded' && id === LASZIP_ID);
@@ -77,6 +79,14 @@ export function readLaszipRecord(
       { hint: 'Save the cloud as LAS, or as LAZ with a current LASzip.' },
     );
   }
+  const itemBytes = items.reduce((sum, { bytes }) => sum + bytes, 0);
+  if (itemBytes !== recordBytes)
+    throw malformed(
+      name,
+      RECORD_BYTES_AT,
+      `records of the ${itemBytes} bytes that are compressed`,
+      recordBytes,
+    );
   const chunkPoints = view.getUint32(12, true);
   return {
     layers: isLayered ? items.map(({ type, bytes }) => ITEM_LAYERS[type] ?? bytes) : [],

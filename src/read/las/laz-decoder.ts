@@ -15,6 +15,8 @@ const RUN_POINTS = 4096;
 const MOST_CHUNK_BYTES = 2 ** 29;
 /** A real point takes 20 bits and more: a chunk of more points a byte than this is made up, and would take hours. */
 const MOST_POINTS_PER_BYTE = 64;
+/** The same of the decompressed bytes, for records may be long: as many as those points have in the shortest format. */
+const MOST_GROWTH = 20 * MOST_POINTS_PER_BYTE;
 /** The decoder may look past the end of a chunk. */
 const MARGIN_BYTES = 256;
 
@@ -68,7 +70,8 @@ export class LazDecoder {
   *decode(chunk: LazChunk): Generator<PointChunk> {
     const { buffer } = this;
     const stride = this.#layout.stride;
-    const most = MOST_POINTS_PER_BYTE * chunk.bytes.length;
+    const perByte = Math.min(MOST_POINTS_PER_BYTE, MOST_GROWTH / stride);
+    const most = Math.floor(perByte * chunk.bytes.length);
     if (chunk.points > most)
       throw malformed(this.#name, chunk.offset, `at most ${most} points`, chunk.points);
     if (chunk.bytes.length > MOST_CHUNK_BYTES) throw tooLarge(this.#name, chunk);

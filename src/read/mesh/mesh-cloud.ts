@@ -13,6 +13,12 @@ const ROUGH_POINTS = 200_000;
  * 15,000 m² with one a cell.
  */
 const MOST_SAMPLES = 2.5e8;
+/** Samples a point kept, at most: where the budget coarsens the cells, finer samples would all be thinned away again. */
+const SAMPLES_PER_POINT = 64;
+/** Samples farther apart than so many cells are of no building in its right unit: a coarse whole shows that as well. */
+const LOST_SPACINGS = 4;
+/** For a rough whole too: its rows may outnumber its points by far. */
+const COARSE_SAMPLES = 2e7;
 /** Samples a cell's edge: a surface that crosses a cell leaves a point in it. */
 const SAMPLES_PER_SPACING = 2;
 /** After so many chunks other work gets a turn, such as a request to cancel. */
@@ -38,9 +44,9 @@ export function meshCloud({ source, unit, up, warnings = [], load }: MeshSource)
     ...(unit && { unit }),
     ...(up && { up }),
     warnings,
-    async *chunks(progress, spacing) {
+    async *chunks(progress, spacing, budget = Infinity) {
       loading ??= load(progress).then((mesh) => loaded(source.name, mesh));
-      yield* samplesOf(await loading, { source, warnings, progress, spacing });
+      yield* samplesOf(await loading, { source, warnings, progress, spacing, budget });
     },
   };
 }
@@ -56,13 +62,13 @@ interface Sampling {
   readonly progress: ReadProgress;
   /** 0: a rough whole. */
   readonly spacing: number;
+  /** Points kept at most. */
+  readonly budget: number;
 }
 
 async function* samplesOf({ mesh, size }: LoadedMesh, sampling: Sampling): AsyncGenerator<PointChunk> {
   const { source, progress, spacing } = sampling;
-  const finest = finestStep(size, MOST_SAMPLES);
-  const wanted = spacing > 0 ? spacing / SAMPLES_PER_SPACING : Math.sqrt(size.area / ROUGH_POINTS);
-  const step = Math.max(wanted, finest);
+  const step = stepOf(size, sampling);
   if (spacing > 0) sampling.warnings.splice(0, Infinity, ...warningsOf(sampling, size, step));
   let chunks = 0;
   for (const chunk of sampleMesh(mesh, { step, isEveryTriangleSeen: spacing > 0 })) {
@@ -72,7 +78,15 @@ async function* samplesOf({ mesh, size }: LoadedMesh, sampling: Sampling): Async
   }
 }
 
-function warningsOf({ warnings, spacing }: Sampling, { misplaced }: MeshSize, step: number): Warning[] {
+function stepOf(size: MeshSize, { spacing, budget }: Sampling): number {
+  if (spacing === 0) return Math.max(Math.sqrt(size.area / ROUGH_POINTS), finestStep(size, COARSE_SAMPLES));
+  const isLost = finestStep(size, MOST_SAMPLES) > LOST_SPACINGS * spacing;
+  const most = Math.min(isLost ? COARSE_SAMPLES : MOST_SAMPLES, SAMPLES_PER_POINT * budget);
+  return Math.max(spacing / SAMPLES_PER_SPACING, finestStep(size, most));
+}
+
+function warningsOf({ warnings, spacing }: Sampling, size: MeshSize, step: number): Warning[] {
+  const { misplaced } = size;
   const own = warnings.filter(({ code }) => !code.startsWith('read/mesh-'));
   if (misplaced > 0) {
     own.push({
@@ -81,7 +95,7 @@ function warningsOf({ warnings, spacing }: Sampling, { misplaced }: MeshSize, st
       hint: 'If a wall is missing in the plan, export the model again.',
     });
   }
-  if (step > spacing) {
+  if (finestStep(size, MOST_SAMPLES) > spacing) {
     own.push({
       code: 'read/mesh-coarsened',
       message: `The mesh is so large that it was sampled every ${step.toPrecision(2)} source units.`,

@@ -1,6 +1,7 @@
 import { gzipSync, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { resolveOptions } from '../../../src/core/options.ts';
+import { unpackedSource } from '../../../src/read/archive/unpacked-source.ts';
 import type { ByteSource } from '../../../src/read/bytes/source.ts';
 import { openScan } from '../../../src/read/open-scan.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
@@ -85,6 +86,28 @@ describe('a packed scan', () => {
   });
 });
 
+it('keeps less at hand of each file where there are many', async () => {
+  const bytes = new Uint8Array(3 << 20);
+  for (const [files, unpacked] of [
+    [1, 1],
+    [1_000, 2],
+  ]) {
+    let begun = 0;
+    const source = unpackedSource({
+      name: 'a',
+      size: undefined,
+      files,
+      unpack: () => {
+        begun++;
+        return memorySource(bytes, 'a').stream();
+      },
+    });
+    await source.slice(0, 1 << 16);
+    await source.slice(1 << 17, 1 << 18);
+    expect(begun).toBe(unpacked);
+  }
+});
+
 describe('the clouds in a ZIP', () => {
   it('are one scan', async () => {
     const bytes = zipSync({ 'b/2.csv': half(1500, 3000), 'b/1.csv': half(0, 1500) });
@@ -136,6 +159,21 @@ describe('damaged archives', () => {
   ])('%s', async (_, bytes, code) => {
     const reading = readScan(memorySource(bytes, 'a.gz'), OPTIONS);
     await expect(reading).rejects.toMatchObject({ code, hint: expect.stringMatching(/./) });
+  });
+
+  it('files that share their bytes', async () => {
+    const stored = zipSync({ 'a.csv': [CSV, { level: 0 }] });
+    const end = stored.length - 22;
+    const begin = new DataView(stored.buffer).getUint32(end + 16, true);
+    const entry = stored.subarray(begin, end);
+    const bytes = Uint8Array.from([...stored.subarray(0, end), ...entry, ...stored.subarray(end)]);
+    const view = new DataView(bytes.buffer, end + entry.length);
+    view.setUint16(10, 2, true);
+    view.setUint32(12, 2 * entry.length, true);
+    await expect(openScan([memorySource(bytes, 'a.zip')])).rejects.toMatchObject({
+      code: 'input/malformed',
+      message: expect.stringContaining('side by side'),
+    });
   });
 
   it('archives in archives in archives', async () => {

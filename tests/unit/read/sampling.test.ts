@@ -281,6 +281,18 @@ describe('a mesh as a cloud', () => {
     expect(cloud.warnings).toMatchObject([{ code: 'read/mesh-coarsened' }]);
   });
 
+  it('gives no more than a budget of points can use, nor more of what is no building', async () => {
+    const mesh = meshOf(RECTANGLE, [[0, 1, 2, 3]]);
+    let points = 0;
+    for await (const chunk of cloudOf(mesh).chunks(() => {}, 1e-4, 1_000)) points += chunk.count;
+    expect(points).toBeLessThan(70_000);
+    const huge = meshOf(
+      RECTANGLE.map(([x, y, z]): Point => [1e6 * x, 1e6 * y, 1e6 * z]),
+      [[0, 1, 2, 3]],
+    );
+    expect(await count(huge, 0.01)).toBeLessThan(2.5e7);
+  });
+
   it('refuses meshes without area or content', async () => {
     await expect(count(meshOf(RECTANGLE, []), 0.1)).rejects.toMatchObject({ code: 'input/empty' });
     await expect(count(meshOf(RECTANGLE, [[0, 1, 1]]), 0.1)).rejects.toMatchObject({

@@ -193,6 +193,19 @@ describe('octrees that lie', () => {
     });
   });
 
+  it('pages in a circle, of a file that tells no size', async () => {
+    const bytes = edited((view) => {
+      for (let at = ROOT; at < ROOT + ROOT_BYTES; at += 32) {
+        view.setBigUint64(at + 16, BigInt(ROOT), true);
+        view.setInt32(at + 24, ROOT_BYTES, true);
+        view.setInt32(at + 28, -1, true);
+      }
+    });
+    const source = { ...watched(bytes), size: undefined };
+    await expect(countPoints(source, 0.01)).rejects.toMatchObject({ code: 'input/malformed' });
+    expect(source.fetched).toBeLessThan(10 * bytes.length);
+  });
+
   it.each([ROOT + 40, ROOT - 60, 5_000])('a file cut after %i bytes', async (length) => {
     const reading = countPoints(memorySource(FILE.subarray(0, length), 'a.copc.laz'), 0.01);
     await expect(reading).rejects.toMatchObject({

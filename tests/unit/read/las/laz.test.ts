@@ -72,6 +72,12 @@ describe('files that lie', () => {
       },
     ],
     [
+      'records longer than what is compressed',
+      'input/malformed',
+      FIXED,
+      (view) => view.setUint16(105, 65_044, true),
+    ],
+    [
       'a format without a decoder',
       'input/unknown-format',
       FIXED,
