@@ -6,6 +6,9 @@ export interface Extent {
   readonly max: readonly [string, string];
 }
 
+/** What older readers take. */
+const LONGEST_LINE = 255;
+
 /** Builds a DXF text tag by tag and hands out handles. */
 export class DxfTags {
   readonly #lines: string[] = [];
@@ -22,16 +25,15 @@ export class DxfTags {
     for (const [code, value] of tags) this.#lines.push(String(code).padStart(3), String(value));
   }
 
-  /** Free text: one line, beyond ASCII as \U+XXXX, with the caret and control characters made harmless. */
+  /** Free text on one line. */
   addText(code: number, text: string): void {
-    let safe = '';
-    for (let i = 0; i < text.length; i++) {
-      const unit = text.charCodeAt(i);
-      if (unit < 0x20 || unit === 0x7f) safe += ' ';
-      else if (unit < 0x7f) safe += text[i];
-      else safe += `\\U+${unit.toString(16).toUpperCase().padStart(4, '0')}`;
-    }
-    this.add([code, safe.replaceAll('^', '^ ')]);
+    this.add([code, escaped(text)]);
+  }
+
+  /** A comment, on as many lines as it takes. */
+  addComment(text: string): void {
+    const safe = escaped(text);
+    for (let at = 0; at < safe.length; at += LONGEST_LINE) this.add([999, safe.slice(at, at + LONGEST_LINE)]);
   }
 
   section(name: string, write: () => void): void {
@@ -56,4 +58,16 @@ export class DxfTags {
     this.#lines[this.#seedLine] = this.handle();
     return `${this.#lines.join('\n')}\n`;
   }
+}
+
+/** Text beyond ASCII as \U+XXXX, with the caret and control characters made harmless. */
+function escaped(text: string): string {
+  let safe = '';
+  for (let i = 0; i < text.length; i++) {
+    const unit = text.charCodeAt(i);
+    if (unit < 0x20 || unit === 0x7f) safe += ' ';
+    else if (unit < 0x7f) safe += text[i];
+    else safe += `\\U+${unit.toString(16).toUpperCase().padStart(4, '0')}`;
+  }
+  return safe.replaceAll('^', '^ ');
 }

@@ -36,6 +36,8 @@ export function writeDxf({ plan }: Product, storey: number): string {
   const entities = new Entities(to, 1 / plan.frame.metresPerUnit);
   drawStorey(plan.storeys[storey], entities);
   const tags = new DxfTags();
+  // The format has no place for it that every CAD program reads or passes over, but comments.
+  if (plan.frame.crs !== undefined) tags.addComment(`Coordinate system: ${plan.frame.crs}`);
   writeHeader(tags, plan.frame.unit, entities.extent);
   tags.section('CLASSES', () => {});
   const handles = writeDxfTables(tags, {

@@ -13,6 +13,8 @@ const SPAN = 0.1;
 /** The fuller side must hold this many times as many columns, and by this many deviations of a count. */
 const LEAD = 1.5;
 const SIGNIFICANT = 3;
+/** Lamps, ducts and stray reflections cover less of a room's planes; tables, seats and beds several times as much. */
+const LEAST_COVER = 0.04;
 /** A column counts where its four neighbours are such columns too: undersides of lintels and window sills are narrower. */
 const NEIGHBOURS = [
   [1, 0],
@@ -33,7 +35,7 @@ export interface RoomGap {
  *
  * A column that is filled in one half of the room only, at about one height, is a table top, seat or bed – or
  * a lamp. Walls fill both halves; what reaches as far as floor or ceiling is a lintel, or a flank; counting voxels
- * of any kind instead was wrong for rooms with many doors. O(n), at most a million points are looked at.
+ * of any kind instead was wrong for rooms with many doors. What covers little of the floor tells nothing. O(n), at most a million points are looked at.
  *
  * @param upright source axes → plan axes
  * @param up estimate of up, source axes
@@ -46,17 +48,20 @@ export function furnitureSide(
 ): -1 | 0 | 1 {
   const { upright, up } = rotation;
   const r = multiply(rotationToZ(rotate(upright, up)), upright);
+  const sampled = { positions, stride, r, edge: size / COLUMNS_A_PATCH };
   let lower = 0;
   let upper = 0;
+  let planes = 0;
   for (const room of rooms) {
-    const columns = fillColumns({ positions, stride, r, edge: size / COLUMNS_A_PATCH }, room);
-    lower += columns.lower;
-    upper += columns.upper;
+    const furnished = furnishedColumns(sampled, room);
+    lower += furnished.lower;
+    upper += furnished.upper;
+    planes += Math.max(planeColumns(sampled, room, room.low), planeColumns(sampled, room, room.high));
   }
-  const leastLead = SIGNIFICANT * Math.sqrt(lower + upper);
-  if (lower - upper > leastLead && lower > LEAD * upper) return 1;
-  if (upper - lower > leastLead && upper > LEAD * lower) return -1;
-  return 0;
+  const [less, more] = lower < upper ? [lower, upper] : [upper, lower];
+  const isClear = more - less > SIGNIFICANT * Math.sqrt(less + more) && more > LEAD * less;
+  if (!isClear || more < LEAST_COVER * planes) return 0;
+  return lower > upper ? 1 : -1;
 }
 
 interface Sampled {
@@ -66,29 +71,45 @@ interface Sampled {
   readonly edge: number;
 }
 
+/** What furnishes either half of a room. */
+function furnishedColumns(sampled: Sampled, { low, high }: RoomGap) {
+  const margin = MARGIN * (high - low);
+  const [bottom, top] = [low + margin, high - margin];
+  const { table, counts, lows, highs } = fillColumns(sampled, { low: bottom, high: top });
+  const middle = (low + high) / 2;
+  const sides = Int8Array.from(counts, (count, i) => {
+    if (count < FEWEST_POINTS || highs[i] - lows[i] > SPAN * (high - low)) return 0;
+    if (highs[i] < middle) return lows[i] > bottom + sampled.edge ? 1 : 0;
+    return lows[i] > middle && highs[i] < top - sampled.edge ? -1 : 0;
+  });
+  return countWide(table, sides);
+}
+
+/** Columns that the room's plane at `height` fills, counted as furniture is. */
+function planeColumns(sampled: Sampled, { low, high }: RoomGap, height: number): number {
+  const margin = MARGIN * (high - low);
+  const { table, counts } = fillColumns(sampled, { low: height - margin, high: height + margin });
+  const sides = Int8Array.from(counts, (count) => (count < FEWEST_POINTS ? 0 : 1));
+  return countWide(table, sides).lower;
+}
+
+/** The points between two heights, by columns. */
 function fillColumns({ positions, stride, r, edge }: Sampled, { low, high }: RoomGap) {
   const table = new CellTable();
   const counts: number[] = [];
   const lows: number[] = [];
   const highs: number[] = [];
-  const [bottom, top] = [low + MARGIN * (high - low), high - MARGIN * (high - low)];
   for (let p = 0; p < positions.length; p += 3 * stride) {
     const [x, y, z] = [positions[p], positions[p + 1], positions[p + 2]];
     const height = r[6] * x + r[7] * y + r[8] * z;
-    if (height < bottom || height > top) continue;
+    if (height < low || height > high) continue;
     const u = Math.floor((r[0] * x + r[1] * y + r[2] * z) / edge);
     const column = table.add(u, Math.floor((r[3] * x + r[4] * y + r[5] * z) / edge), 0);
     counts[column] = (counts[column] ?? 0) + 1;
     lows[column] = Math.min(lows[column] ?? height, height);
     highs[column] = Math.max(highs[column] ?? height, height);
   }
-  const middle = (low + high) / 2;
-  const sides = Int8Array.from(counts, (count, i) => {
-    if (count < FEWEST_POINTS || highs[i] - lows[i] > SPAN * (high - low)) return 0;
-    if (highs[i] < middle) return lows[i] > bottom + edge ? 1 : 0;
-    return lows[i] > middle && highs[i] < top - edge ? -1 : 0;
-  });
-  return countWide(table, sides);
+  return { table, counts, lows, highs };
 }
 
 /** Columns of either side amid others of their side. */

@@ -115,9 +115,19 @@ function meanNormal(patches: SurfacePatches, axis: Vec3): Vec3 {
   return mean;
 }
 
-/** Spaces between neighbouring strong planes high enough to be rooms. */
-function roomGaps({ strong }: HeightPlanes): RoomGap[] {
-  const gaps = strong.slice(1).map((plane, i) => ({ low: strong[i].height, high: plane.height }));
-  const longest = Math.max(0, ...gaps.map(({ low, high }) => high - low));
-  return gaps.filter(({ low, high }) => high - low >= ROOM_GAP_SHARE * longest);
+/**
+ * Spaces high enough to be rooms between neighbouring strong planes, and between those and the ends of the cloud, for many
+ * a scan has a floor only. None that is higher than wide: so look rooms along a wrong axis.
+ */
+function roomGaps({ strong, range }: HeightPlanes): RoomGap[] {
+  const end = (height: number) => ({ height, area: 0 });
+  const levels = [end(range[0]), ...strong, end(range[1])];
+  const gaps = levels.slice(1).map((above, i) => {
+    const below = levels[i];
+    return { low: below.height, high: above.height, area: Math.max(below.area, above.area) };
+  });
+  const longest = Math.max(...gaps.map(({ low, high }) => high - low));
+  return gaps.filter(
+    ({ low, high, area }) => high - low >= ROOM_GAP_SHARE * longest && high - low <= Math.sqrt(area),
+  );
 }

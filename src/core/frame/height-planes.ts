@@ -33,6 +33,8 @@ export interface HeightPlanes {
   readonly strong: readonly HeightPlane[];
   readonly floor: HeightPlane | null;
   readonly ceiling: HeightPlane | null;
+  /** Of the inner 96 % of heights. */
+  readonly range: readonly [low: number, high: number];
 }
 
 /**
@@ -59,17 +61,18 @@ export function findHeightPlanes(patches: SurfacePatches, up: Vec3, minCosine: n
   const below = floor ? heights.filter((h) => h < floor.height - reach).length : 0;
   const above = ceiling ? heights.filter((h) => h > ceiling.height + reach).length : 0;
   const most = BEYOND_SHARE * patches.count;
-  const isFarApart = (ceiling?.height ?? 0) - (floor?.height ?? 0) >= GAP_SHARE * spanOf(heights);
+  const range = rangeOf(heights);
+  const isFarApart = (ceiling?.height ?? 0) - (floor?.height ?? 0) >= GAP_SHARE * (range[1] - range[0]);
   const isFloor = below <= most && (isFarApart || below <= above);
   const isCeiling = above <= most && (isFarApart || above < below);
-  return { planes, strong, floor: isFloor ? floor : null, ceiling: isCeiling ? ceiling : null };
+  return { planes, strong, floor: isFloor ? floor : null, ceiling: isCeiling ? ceiling : null, range };
 }
 
-/** Range of the inner 96 % of heights. */
-function spanOf(heights: Float64Array): number {
+function rangeOf(heights: Float64Array): [low: number, high: number] {
+  if (heights.length === 0) return [0, 0];
   const sorted = heights.slice().sort();
   const trimmed = Math.floor(sorted.length * TRIM);
-  return sorted.length === 0 ? 0 : sorted[sorted.length - 1 - trimmed] - sorted[trimmed];
+  return [sorted[trimmed], sorted[sorted.length - 1 - trimmed]];
 }
 
 /** Heights of all patches along `up`. */

@@ -73,6 +73,21 @@ describe('up', () => {
     expect(run(makeScan(flat)).cloud.frame.up).toBe('z');
   });
 
+  test('an empty flat is not turned over by the lamps that hang in it', () => {
+    const lamps: number[] = [];
+    for (const x of [0.8, 2.8, 4.8])
+      for (let u = 0; u < 1.2; u += 0.03) for (let v = 0; v < 0.3; v += 0.03) lamps.push(x + u, 1.5 + v, 2.2);
+    const flat = concat(roomPoints({ hasTable: false }), Float64Array.from(lamps));
+    expect(run(makeScan(flat)).cloud.frame.up).toBe('z');
+  });
+
+  test('furniture shows the side of a floor without a ceiling', () => {
+    const open = ROOM.filter((_, i) => ROOM[i - (i % 3) + 2] < 2.65);
+    expect(run(makeScan(open)).cloud.frame.up).toBe('z');
+    const turned = transform(open, transpose(uprightRotation('-z')));
+    expect(run(makeScan(turned)).cloud.frame.up).toBe('-z');
+  });
+
   test('a model that stands by its format is not turned over by lamps, and keeps its own axis where that is wrong', () => {
     const source = transform(ROOM, transpose(uprightRotation('-y')));
     expect(run(makeScan(source)).cloud.frame.up).toBe('-y');

@@ -16,7 +16,7 @@ export interface RoomShape {
   readonly spacing?: number;
   /** Largest deviation from the surface, m. */
   readonly noise?: number;
-  /** A table 0.75 m above the floor tells it from the ceiling. */
+  /** Tables 0.75 m above the floor, over a tenth of it, tell it from the ceiling. */
   readonly hasTable?: boolean;
   readonly seed?: number;
 }
@@ -31,9 +31,11 @@ export function roomPoints(shape: RoomShape = {}): Float64Array {
     points.push(x + jitter(), y + jitter(), floor + z + jitter());
   const jitter = () => (2 * random() - 1) * noise;
   const patch = { corners, spacing };
+  const [width, depth] = [0, 1].map((axis) => Math.max(...corners.filter((_, i) => i % 2 === axis)));
   for (const [x, y] of insidePoints(patch)) for (const z of [0, height]) add(x, y, z);
   if (hasTable)
-    for (const [x, y] of insidePoints(patch)) if (x > 1 && x < 2.6 && y > 1 && y < 2) add(x, y, 0.75);
+    for (const [x, y] of insidePoints(patch))
+      if (x > 1 && x < 1 + 0.4 * width && y > 0.7 && y < 0.7 + 0.25 * depth) add(x, y, 0.75);
   let j = corners.length - 2;
   for (let i = 0; i < corners.length; j = i, i += 2) {
     const [dx, dy] = [corners[i] - corners[j], corners[i + 1] - corners[j + 1]];
