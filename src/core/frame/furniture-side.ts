@@ -13,8 +13,15 @@ const SPAN = 0.1;
 /** The fuller side must hold this many times as many columns, and by this many deviations of a count. */
 const LEAD = 1.5;
 const SIGNIFICANT = 3;
-/** Lamps, ducts and stray reflections cover less of a room's planes; tables, seats and beds several times as much. */
+/** Lamps, ducts and stray reflections cover less of a room's planes; a furnished room's tables, seats and beds more. */
 const LEAST_COVER = 0.04;
+/** Lamps and ducts hang nearer to their ceiling than this share of the height; tables and worktops stand higher. */
+const DEEP_MARGIN = 0.2;
+/** Fewer columns that deep, or so many times as many as on the other side, tell nothing where little is covered. */
+const FEWEST_DEEP = 9;
+const DEEP_LEAD = 10;
+/** Floor and ceiling of a room differ less than this in what is seen of them: rows of desks are no floor. */
+const ALIKE = 0.4;
 /** A column counts where its four neighbours are such columns too: undersides of lintels and window sills are narrower. */
 const NEIGHBOURS = [
   [1, 0],
@@ -35,7 +42,8 @@ export interface RoomGap {
  *
  * A column that is filled in one half of the room only, at about one height, is a table top, seat or bed – or
  * a lamp. Walls fill both halves; what reaches as far as floor or ceiling is a lintel, or a flank; counting voxels
- * of any kind instead was wrong for rooms with many doors. What covers little of the floor tells nothing. O(n), at most a million points are looked at.
+ * of any kind instead was wrong for rooms with many doors. What covers
+ * little of the floor tells nothing, unless it stands too high for a lamp turned over. O(n), at most a million points are looked at.
  *
  * @param upright source axes → plan axes
  * @param up estimate of up, source axes
@@ -49,19 +57,33 @@ export function furnitureSide(
   const { upright, up } = rotation;
   const r = multiply(rotationToZ(rotate(upright, up)), upright);
   const sampled = { positions, stride, r, edge: size / COLUMNS_A_PATCH };
-  let lower = 0;
-  let upper = 0;
+  const all = { lower: 0, upper: 0 };
+  const deep = { lower: 0, upper: 0 };
   let planes = 0;
   for (const room of rooms) {
-    const furnished = furnishedColumns(sampled, room);
-    lower += furnished.lower;
-    upper += furnished.upper;
-    planes += Math.max(planeColumns(sampled, room, room.low), planeColumns(sampled, room, room.high));
+    addTo(all, furnishedColumns(sampled, room, MARGIN));
+    const [low, high] = [planeColumns(sampled, room, room.low), planeColumns(sampled, room, room.high)];
+    planes += Math.max(low, high);
+    if (Math.min(low, high) < ALIKE * Math.max(low, high)) continue;
+    addTo(deep, furnishedColumns(sampled, room, DEEP_MARGIN));
   }
-  const [less, more] = lower < upper ? [lower, upper] : [upper, lower];
-  const isClear = more - less > SIGNIFICANT * Math.sqrt(less + more) && more > LEAD * less;
-  if (!isClear || more < LEAST_COVER * planes) return 0;
-  return lower > upper ? 1 : -1;
+  const [less, more] = all.lower < all.upper ? [all.lower, all.upper] : [all.upper, all.lower];
+  if (more - less <= SIGNIFICANT * Math.sqrt(less + more) || more <= LEAD * less) return 0;
+  const side = all.lower > all.upper ? 1 : -1;
+  const [same, other] = side > 0 ? [deep.lower, deep.upper] : [deep.upper, deep.lower];
+  const isDeep = same >= FEWEST_DEEP && same > DEEP_LEAD * other;
+  return isDeep || more >= LEAST_COVER * planes ? side : 0;
+}
+
+/** Columns of either side of a room. */
+interface Sides {
+  lower: number;
+  upper: number;
+}
+
+function addTo(sum: Sides, { lower, upper }: Sides): void {
+  sum.lower += lower;
+  sum.upper += upper;
 }
 
 interface Sampled {
@@ -71,9 +93,9 @@ interface Sampled {
   readonly edge: number;
 }
 
-/** What furnishes either half of a room. */
-function furnishedColumns(sampled: Sampled, { low, high }: RoomGap) {
-  const margin = MARGIN * (high - low);
+/** What furnishes either half of a room, no nearer to its plane than a share of the height. */
+function furnishedColumns(sampled: Sampled, { low, high }: RoomGap, share: number): Sides {
+  const margin = share * (high - low);
   const [bottom, top] = [low + margin, high - margin];
   const { table, counts, lows, highs } = fillColumns(sampled, { low: bottom, high: top });
   const middle = (low + high) / 2;
@@ -113,7 +135,7 @@ function fillColumns({ positions, stride, r, edge }: Sampled, { low, high }: Roo
 }
 
 /** Columns of either side amid others of their side. */
-function countWide(table: CellTable, sides: Int8Array) {
+function countWide(table: CellTable, sides: Int8Array): Sides {
   let lower = 0;
   let upper = 0;
   for (let column = 0; column < sides.length; column++) {

@@ -10,6 +10,9 @@ const F = 0xcc9e2d51;
 const BLOCK_BITS = 2;
 const IN_BLOCK = (1 << BLOCK_BITS) - 1;
 
+/** Mask of the upper half of a float64. */
+const WITHOUT_SIGN = 0x7fffffff;
+
 /** Bits of x, y and z of a cell's 63-bit name. */
 const AXIS_BITS = 21;
 const AXIS_MASK = (1 << AXIS_BITS) - 1;
@@ -42,11 +45,20 @@ export function cellPlace(ix: number, iy: number, iz: number): number {
   return (block << (3 * BLOCK_BITS)) | ((within | (ix & IN_BLOCK)) ^ (block >>> (32 - 3 * BLOCK_BITS)));
 }
 
-/** A number that looks random but depends on nothing except the bits of a point's float64 coordinates. */
+/**
+ * A number that looks random but depends on nothing except the bits of a point's float64 coordinates, and neither on their
+ * order nor on their signs: a cloud whose axes are named otherwise keeps the same points.
+ */
 export function pointPriority(words: Int32Array, at: number): number {
-  const x = Math.imul(words[at], A) + Math.imul(words[at + 1], B);
-  const y = Math.imul(words[at + 2], C) + Math.imul(words[at + 3], D);
-  return finish(x + y + Math.imul(words[at + 4], E) + Math.imul(words[at + 5], F));
+  const x = coordinateHash(words[at], words[at + 1]);
+  const y = coordinateHash(words[at + 2], words[at + 3]);
+  return finish(x + y + coordinateHash(words[at + 4], words[at + 5]));
+}
+
+/** Of the two halves of a float64, its sign left out; not linear, or sums of coordinates would be told apart, not places. */
+function coordinateHash(low: number, high: number): number {
+  const h = Math.imul(low, A) + Math.imul(high & WITHOUT_SIGN, B);
+  return Math.imul(h ^ (h >>> 15), C);
 }
 
 /** Lower half of the 64-bit name of a point that has a cell of its own; another hash than its priority. */

@@ -42,7 +42,10 @@ export class PointSample {
     return positions;
   }
 
-  /** Median of each axis, rounded down to a whole unit: strays do not move it, and float32 is finest around it. */
+  /**
+   * Median of each axis, rounded to a whole unit towards zero, so that it turns with the axes: strays do not move it, and
+   * float32 is finest around it.
+   */
   middle(): Vec3 {
     const share = Math.min(1, MIDDLE_POINTS / this.count);
     const limit = LEAST_PRIORITY + share * (this.limit - LEAST_PRIORITY);
@@ -80,5 +83,6 @@ export class PointSample {
 
 function medianOf(values: readonly number[]): number {
   const sorted = Float64Array.from(values).sort();
-  return Math.floor(sorted[sorted.length >> 1]);
+  // −0 would be another origin than 0.
+  return Math.trunc(sorted[sorted.length >> 1]) + 0;
 }
