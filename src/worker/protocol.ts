@@ -90,7 +90,7 @@ export interface ComparedPlan {
 
 export interface CloudView {
   readonly positions: Float32Array;
-  /** r, g, b a point, 0 to 255, when the scan has colours. */
+  /** r, g, b a point, 0 to 255: the colours of the scan, or its intensities as greys. */
   readonly colour?: Uint8Array;
   /** Points the sample stands for. */
   readonly total: number;

@@ -2,7 +2,7 @@ import { isWithin } from '../core/crop.ts';
 import { parseCrop } from '../core/crop-box.ts';
 import { boundsOf } from '../core/frame/robust-scale.ts';
 import type { Options } from '../core/params.ts';
-import type { PointCloud, Vec3 } from '../core/types.ts';
+import type { PointAttributes, PointCloud, Vec3 } from '../core/types.ts';
 import { makeReport } from '../session/report.ts';
 import type { Session } from '../session/session.ts';
 import type { CloudView, PictureFacts, PlanView, Surroundings } from './protocol.ts';
@@ -40,20 +40,41 @@ export function makeView(
   return { view, transfer: arrays.map(({ buffer }) => buffer as ArrayBuffer) };
 }
 
+/** Shares of the points that are shown black and white: a few glints would darken all else. */
+const BLACK_SHARE = 0.02;
+const WHITE_SHARE = 0.98;
+
 /** Every n-th point; the cloud is sorted by lattice cell, so this is uniform in space. O(sample). */
 function sampleCloud({ positions, attributes }: PointCloud): CloudView {
   const total = positions.length / 3;
   const step = Math.max(1, Math.ceil(total / CLOUD_POINTS));
   const size = Math.ceil(total / step);
   const xyz = new Float32Array(size * 3);
-  const colour = attributes.colour ? new Uint8Array(size * 3) : undefined;
+  const colour = sampleColour(attributes, step, size);
   for (let i = 0; i < size; i++) {
-    for (let k = 0; k < 3; k++) {
-      xyz[3 * i + k] = positions[3 * i * step + k];
-      if (colour) colour[3 * i + k] = attributes.colour![3 * i * step + k];
-    }
+    for (let k = 0; k < 3; k++) xyz[3 * i + k] = positions[3 * i * step + k];
   }
   return colour ? { positions: xyz, colour, total } : { positions: xyz, total };
+}
+
+/** r, g, b of every `step`-th point; intensity in greys where the scan has no colour. */
+function sampleColour({ colour, intensity }: PointAttributes, step: number, size: number): Uint8Array | null {
+  const shades = new Uint8Array(size * 3);
+  if (colour) {
+    for (let i = 0; i < shades.length; i++) shades[i] = colour[3 * step * Math.floor(i / 3) + (i % 3)];
+    return shades;
+  }
+  if (!intensity) return null;
+  const sample = Float32Array.from({ length: size }, (_, i) => intensity[i * step]);
+  const sorted = sample.toSorted();
+  const black = sorted[Math.floor(BLACK_SHARE * size)];
+  const white = sorted[Math.floor(WHITE_SHARE * size)];
+  if (!(white > black)) return null;
+  for (let i = 0; i < size; i++) {
+    const share = Math.min(1, Math.max(0, (sample[i] - black) / (white - black)));
+    shades.fill(Math.round(255 * share), 3 * i, 3 * i + 3);
+  }
+  return shades;
 }
 
 /** Where the cloud lies before the crop box, and a sample of what the box leaves out. O(n). */
