@@ -1,9 +1,10 @@
 /**
  * `npm run bench [-- NAME…]`: every stage by size, readers in MB/s, the paper's slice, outlines beside their peers, memory
- * and the page, as tables and as JSON in .cache/bench/results.json. Machines are noisy: compare figures of one run.
+ * and the page; with the name `big` also 100 M points. As tables and as JSON in .cache/bench/results.json. Machines are noisy: compare figures of one run.
  */
 import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
+import { benchBig } from './big.ts';
 import { cacheFolder } from './clouds.ts';
 import { benchHull } from './hull.ts';
 import { benchMemory } from './memory.ts';
@@ -22,14 +23,18 @@ const benches: Record<string, () => Promise<readonly Figure[]>> = {
   page: benchPage,
 };
 
+/** Minutes long and gigabytes large: only by name. */
+const onlyByName: Record<string, () => Promise<readonly Figure[]>> = { big: benchBig };
+const all = { ...benches, ...onlyByName };
+
 const chosen = process.argv.slice(2);
-const unknown = chosen.find((name) => !Object.hasOwn(benches, name));
-if (unknown) throw new Error(`No bench "${unknown}"; there are ${Object.keys(benches).join(', ')}.`);
+const unknown = chosen.find((name) => !Object.hasOwn(all, name));
+if (unknown) throw new Error(`No bench "${unknown}"; there are ${Object.keys(all).join(', ')}.`);
 
 const results: Record<string, readonly Figure[]> = {};
 for (const name of chosen.length > 0 ? chosen : Object.keys(benches)) {
   console.log(`\n${name}`);
-  results[name] = await benches[name]();
+  results[name] = await all[name]();
   console.log(formatFigures(results[name]));
 }
 await mkdir(cacheFolder, { recursive: true });
