@@ -93,8 +93,10 @@ export class CropBar {
     }
   }
 
+  /** What is wrong with a number under the hand is told until it is mended. */
   say(words: string): void {
-    setText(this.#words, words);
+    const isWrong = FIELDS.some((name) => this.#fields[name].getAttribute('aria-invalid') === 'true');
+    if (!isWrong) setText(this.#words, words);
   }
 
   #makeField(name: Name): HTMLInputElement {
@@ -119,7 +121,7 @@ export class CropBar {
       setAttribute(this.#fields[name], 'aria-invalid', isSound[name[0] as 'x'] ? null : 'true');
     }
     if (!isSound.x || !isSound.y || !isSound.z) {
-      this.say('The first number must be less than the second.');
+      setText(this.#words, 'The first number must be less than the second.');
       return;
     }
     const hasHeights = this.#fields.z0.value !== '' || this.#fields.z1.value !== '';
