@@ -1,0 +1,65 @@
+import type { Face } from './fit-line.ts';
+import { binAt, type HeightColumns, hasBin } from './height-columns.ts';
+import type { LocalCeiling } from './local-ceiling.ts';
+
+/** Bits of wall along a face, m. */
+const STEP = 0.05;
+/** Height below a ceiling of the cleanest slice of a wall, m: above door heads and cupboards. */
+const TOP_BAND = 0.45;
+/** Distance to either side at which a face's ceiling is looked up, m. */
+const BESIDE = 0.4;
+/** What the rest of a wall counts where its top is not to be seen. */
+const BODY_SHARE = 0.3;
+
+/** How far a wall stands up along a face, bit by bit. */
+export interface FaceSupport {
+  /** Place along the face where the first bit begins, m. */
+  readonly from: number;
+  readonly step: number;
+  /** Share of the height below the ceiling that has points, 0 to 1. */
+  readonly shares: Float64Array;
+}
+
+/** Reads a face's own columns, `reach` beyond its ends. O(columns of the face). */
+export function supportAlong(
+  columns: HeightColumns,
+  ceiling: LocalCeiling,
+  face: Face,
+  reach: number,
+): FaceSupport {
+  const { centres, masks, size } = columns;
+  const from = face.from - reach;
+  const count = Math.ceil((face.to - face.from + 2 * reach) / STEP);
+  const seen = new Int32Array(2 * count);
+  // A column is wider than a bit.
+  const half = size / STEP / 2 + 0.5;
+  for (const c of face.members) {
+    const at = (centres[2 * c + 1] * face.nx - centres[2 * c] * face.ny - from) / STEP;
+    for (let k = Math.max(0, Math.floor(at - half)); k <= Math.min(count - 1, Math.floor(at + half)); k++) {
+      seen[2 * k] |= masks[2 * c];
+      seen[2 * k + 1] |= masks[2 * c + 1];
+    }
+  }
+  const shares = new Float64Array(count);
+  for (let k = 0; k < count; k++) {
+    if (seen[2 * k] === 0 && seen[2 * k + 1] === 0) continue;
+    const along = from + (k + 0.5) * STEP;
+    const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
+    const [left, right] = [-BESIDE, BESIDE].map((aside) => ceiling.at(x + aside * face.nx, y + aside * face.ny));
+    shares[k] = standingShare(columns, seen, k, Math.min(left, right));
+  }
+  return { from, step: STEP, shares };
+}
+
+/** Share of the bins below a ceiling that have points, or of all, which counts less. */
+function standingShare(columns: HeightColumns, masks: Int32Array, k: number, ceiling: number): number {
+  const top = binAt(columns, ceiling);
+  const bottom = Math.max(0, top - Math.round(TOP_BAND * columns.binsPerMetre));
+  let [body, band] = [0, 0];
+  for (let bin = 0; bin < top; bin++) {
+    if (!hasBin(masks, k, bin)) continue;
+    body++;
+    if (bin >= bottom) band++;
+  }
+  return Math.max(band / Math.max(1, top - bottom), BODY_SHARE * (body / Math.max(1, top)));
+}

@@ -1,0 +1,218 @@
+import type { PointCloud } from '../types.ts';
+import { type Arrangement, arrange, type Segment } from './arrangement.ts';
+import { type FaceSupport, supportAlong } from './face-support.ts';
+import { findFaces } from './find-faces.ts';
+import type { Face } from './fit-line.ts';
+import type { HeightColumns } from './height-columns.ts';
+import { localCeiling } from './local-ceiling.ts';
+import { labelSpace, type Space } from './label-space.ts';
+import { type SeenSpace, seenSpace } from './seen-space.ts';
+import { settleFaces } from './settle-faces.ts';
+import { type RoomFaces, traceRooms } from './trace-rooms.ts';
+
+/** How far faces are drawn on past their ends to meet others, m: a wall hidden behind a cupboard or two. */
+const REACH = 5;
+/** A share of wall that counts as one. */
+const WALL_SHARE = 0.5;
+/** Widest passage or hidden stretch that a wall is taken to go on over, m. */
+const WIDEST_PASSAGE = 2.5;
+/** What a wall that is only taken to go on counts. */
+const TAKEN_SHARE = 0.8;
+
+/** Two faces nearer or farther than this make no inner wall, m. */
+const THINNEST_WALL = 0.04;
+const THICKEST_WALL = 0.4;
+/** Cosine of the angle up to which they are parallel, 3°. */
+const SAME_DIRECTION = 0.9986;
+
+/** A wall that crosses within this of a gap's end bounds it, m: with the thickness of a wall between. */
+const NEAR_END = 0.3;
+/** … if it stands so far off, m: more than a wall is thick. */
+const PASSING = 0.6;
+
+/** Between the faces of a wall hardly any column shows a floor or a ceiling. */
+const OPEN_SHARE = 0.15;
+/** A niche is no deeper than this, m: deeper ones are rooms. */
+const DEEPEST_NICHE = 0.75;
+/** Faces that stand as walls over less of what was seen of them are furniture or reveals. */
+const LEAST_WALL_SHARE = 0.5;
+
+export interface FoundRooms {
+  readonly faces: readonly Face[];
+  readonly arrangement: Arrangement;
+  readonly support: Float64Array;
+  readonly space: Space;
+  readonly rooms: readonly RoomFaces[];
+}
+
+/** The rooms of a storey. */
+export function findRooms(cloud: PointCloud, columns: HeightColumns): FoundRooms {
+  const seen = seenSpace(columns);
+  const ceiling = localCeiling(columns);
+  const settled = settleFaces(cloud, columns, findFaces(cloud, columns));
+  const all = settled.map((face) => supportAlong(columns, ceiling, face, REACH));
+  const isWall = all.map(({ shares }) => standsAsWall(shares));
+  const faces = settled.filter((_, i) => isWall[i]);
+  const supports = all.filter((_, i) => isWall[i]);
+  const arrangement = arrange(faces.map((face, line) => segmentOf(face, line)));
+  const support = edgeSupport(arrangement, faces, goOn(faces, withPartners(faces, supports, seen), supports, seen));
+  const space = labelSpace(arrangement, columns, seen.isSeen, support);
+  return { faces, arrangement, support, space, rooms: traceRooms(arrangement, space.isRoom, support) };
+}
+
+function segmentOf({ nx, ny, offset, from, to }: Face, line: number): Segment {
+  const [a, b] = [from - REACH, to + REACH];
+  return { ax: nx * offset - ny * a, ay: ny * offset + nx * a, bx: nx * offset - ny * b, by: ny * offset + nx * b, line };
+}
+
+/** Adds what a wall's other face tells of it. */
+function withPartners(faces: readonly Face[], supports: readonly FaceSupport[], seen: SeenSpace): FaceSupport[] {
+  return supports.map((support, i) => {
+    const face = faces[i];
+    const shares = support.shares.slice();
+    faces.forEach((other, j) => {
+      const cosine = face.nx * other.nx + face.ny * other.ny;
+      if (i === j || Math.abs(cosine) < SAME_DIRECTION) return;
+      const backed: number[] = [];
+      let open = 0;
+      for (let k = 0; k < shares.length; k++) {
+        if (shares[k] >= WALL_SHARE) continue;
+        const along = support.from + (k + 0.5) * support.step;
+        const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
+        const aside = x * other.nx + y * other.ny - other.offset;
+        if (Math.abs(aside) < THINNEST_WALL || Math.abs(aside) > THICKEST_WALL) continue;
+        if (!wallAt(supports[j], y * other.nx - x * other.ny)) continue;
+        backed.push(k);
+        if (seen.at(x - (aside / 2) * other.nx, y - (aside / 2) * other.ny)) open++;
+      }
+      if (open > OPEN_SHARE * backed.length) return;
+      for (const k of backed) shares[k] = TAKEN_SHARE;
+    });
+    return { ...support, shares };
+  });
+}
+
+/** Lets walls go on over gaps between two stretches of them, unless another wall passes by at both ends: a corridor. */
+function goOn(
+  faces: readonly Face[],
+  supports: readonly FaceSupport[],
+  own: readonly FaceSupport[],
+  seen: SeenSpace,
+): FaceSupport[] {
+  return supports.map((support, i) => {
+    const { from, step } = support;
+    const shares = support.shares.map((share) => (share >= WALL_SHARE ? 1 : share));
+    let last = -1;
+    for (let k = 0; k < shares.length; k++) {
+      if (support.shares[k] < WALL_SHARE) continue;
+      const isGap = last >= 0 && k - last > 1 && (k - last) * step <= WIDEST_PASSAGE;
+      const [begin, end] = [from + (last + 1) * step, from + k * step];
+      if (isGap && (!isOpen(faces[i], begin, end, seen) || isPassage({ faces, own, i, begin, end }))) {
+        for (let m = last + 1; m < k; m++) shares[m] = Math.max(shares[m], TAKEN_SHARE);
+      }
+      last = k;
+    }
+    return { ...support, shares };
+  });
+}
+
+interface GapPlace {
+  readonly faces: readonly Face[];
+  readonly own: readonly FaceSupport[];
+  readonly i: number;
+  readonly begin: number;
+  readonly end: number;
+}
+
+/** Whether space was seen on most of a stretch. */
+function isOpen(face: Face, begin: number, end: number, seen: SeenSpace): boolean {
+  let [open, count] = [0, 0];
+  for (let along = begin + 0.05; along < end; along += 0.1) {
+    count++;
+    if (seen.at(face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along)) open++;
+  }
+  return open > count / 2;
+}
+
+/**
+ * Whether a gap leads from room to room: it is narrower than the space on either side of it, and no wall stands behind it.
+ *
+ * A corridor that passes through, or the mouth of a wing, is as wide as the gap.
+ */
+function isPassage({ faces, own, i, begin, end }: GapPlace): boolean {
+  const isNarrowing = [1, -1].every((side) =>
+    [begin, end].some((along) => !passesBy(faces, own, i, { along, side })),
+  );
+  if (!isNarrowing) return false;
+  const face = faces[i];
+  return !faces.some((other, j) => {
+    if (i === j || Math.abs(face.nx * other.nx + face.ny * other.ny) < SAME_DIRECTION) return false;
+    let [behind, count] = [0, 0];
+    for (let along = begin + 0.05; along < end; along += 0.1) {
+      const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
+      const aside = Math.abs(x * other.nx + y * other.ny - other.offset);
+      count++;
+      if (aside < DEEPEST_NICHE && wallAt(own[j], y * other.nx - x * other.ny)) behind++;
+    }
+    return behind > count / 2;
+  });
+}
+
+/** Whether a face stands as a wall where it was seen. */
+function standsAsWall(shares: Float64Array): boolean {
+  let [wall, any] = [0, 0];
+  for (const share of shares) {
+    if (share > 0) any++;
+    if (share >= WALL_SHARE) wall++;
+  }
+  return wall > 0 && wall >= LEAST_WALL_SHARE * any;
+}
+
+/** Whether a wall leads away from a face, near a place along it, to one side. */
+function passesBy(
+  faces: readonly Face[],
+  own: readonly FaceSupport[],
+  i: number,
+  { along, side }: { readonly along: number; readonly side: number },
+): boolean {
+  const face = faces[i];
+  return faces.some((other, j) => {
+    const sine = face.nx * other.ny - face.ny * other.nx;
+    if (Math.abs(sine) < 0.5) return false;
+    const x = (face.offset * other.ny - other.offset * face.ny) / sine;
+    const y = (face.nx * other.offset - other.nx * face.offset) / sine;
+    if (Math.abs(y * face.nx - x * face.ny - along) > NEAR_END) return false;
+    const [px, py] = [x + side * PASSING * face.nx, y + side * PASSING * face.ny];
+    return wallAt(own[j], py * other.nx - px * other.ny);
+  });
+}
+
+function wallAt({ from, step, shares }: FaceSupport, along: number): boolean {
+  return (shares[Math.floor((along - from) / step)] ?? 0) >= WALL_SHARE;
+}
+
+interface Shares {
+  readonly from: number;
+  readonly step: number;
+  readonly shares: Float64Array;
+}
+
+function edgeSupport({ x, y, origin, lines }: Arrangement, faces: readonly Face[], supports: readonly Shares[]): Float64Array {
+  return Float64Array.from(lines, (own, e) => {
+    const [u, v] = [origin[2 * e], origin[2 * e + 1]];
+    let best = 0;
+    for (const line of own) {
+      const { nx, ny } = faces[line];
+      const { from, step, shares } = supports[line];
+      const ends = [u, v].map((p) => (y[p] * nx - x[p] * ny - from) / step);
+      const [low, high] = [Math.min(...ends), Math.max(...ends)];
+      let [sum, count] = [0, 0];
+      for (let k = Math.max(0, Math.floor(low)); k <= Math.min(shares.length - 1, Math.floor(high)); k++) {
+        sum += shares[k];
+        count++;
+      }
+      if (count > 0) best = Math.max(best, sum / count);
+    }
+    return best;
+  });
+}

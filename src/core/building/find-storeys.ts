@@ -1,0 +1,121 @@
+import { CellTable } from '../cell-table.ts';
+import type { PointCloud } from '../types.ts';
+
+/** Height bins of the histogram, m: finer than any slab, coarser than a level floor's noise. */
+const BIN = 0.02;
+/** Cells that a height bin's area is counted in, m: coarser than a thinned cloud's voxels. */
+const AREA_CELL = 0.1;
+/** Half width in bins over which a surface's area is gathered: 5 cm of noise, sills and tilt. */
+const REACH = 2;
+/** Lowest clear height of a storey, m: a cellar. */
+const LEAST_HEIGHT = 1.9;
+/** A floor has at least this share of the area of the largest: smaller ones are landings and galleries. */
+const LEAST_FLOOR_SHARE = 0.3;
+/** A ceiling's share; suspended ones and beams leave little of it. */
+const LEAST_CEILING_SHARE = 0.1;
+/** Thickest slab with what hangs below it, m. */
+const THICKEST_SLAB = 1.2;
+
+/** Heights between which a storey stands, m, in the cloud's frame. */
+export interface StoreyHeights {
+  readonly floor: number;
+  readonly ceiling: number;
+}
+
+/**
+ * The storeys of a building, lowest first, from a histogram of horizontal area over height.
+ *
+ * A height bin counts the cells of the plan it has points in, so that floors and ceilings, not walls or dense patches,
+ * are its peaks ([Cura]). A floor starts a storey where {@link LEAST_HEIGHT} is clear above it and a ceiling or nothing
+ * is below it. O(n).
+ *
+ * @param kept indices of the points that are no outliers
+ */
+export function findStoreys(cloud: PointCloud, kept: Uint32Array): readonly StoreyHeights[] {
+  const { low, areas } = areaByHeight(cloud.positions, kept);
+  const heightAt = (bin: number) => low + (bin + 0.5) * BIN;
+  const peaks = peaksOf(areas);
+  if (peaks.length === 0) return [];
+  const largest = Math.max(...peaks.map(({ area }) => area));
+  const surfaces = peaks.filter(({ area }) => area >= LEAST_CEILING_SHARE * largest);
+  const top = heightAt(surfaces[surfaces.length - 1].bin);
+  const floors: number[] = [];
+  for (const { bin, area } of surfaces) {
+    const z = heightAt(bin);
+    if (area < LEAST_FLOOR_SHARE * largest || top - z < LEAST_HEIGHT) continue;
+    const below = floors[floors.length - 1];
+    const hasCeilingBelow = surfaces.some(
+      (other) => other.bin < bin && z - heightAt(other.bin) <= THICKEST_SLAB && heightAt(other.bin) - below >= LEAST_HEIGHT,
+    );
+    if (floors.length === 0 || hasCeilingBelow) floors.push(z);
+  }
+  return floors.map((floor, i) => {
+    const next = floors[i + 1] ?? Infinity;
+    const above = surfaces.filter(({ bin }) => heightAt(bin) >= floor + LEAST_HEIGHT && heightAt(bin) < next);
+    const ceiling = above.reduce((best, peak) => (peak.area > best.area ? peak : best), { bin: 0, area: 0 });
+    return {
+      floor: refined(areas, floor, low),
+      ceiling: refined(areas, heightAt(ceiling.bin), low),
+    };
+  });
+}
+
+interface HeightAreas {
+  readonly low: number;
+  /** Cells with points, a bin. */
+  readonly areas: Float64Array;
+}
+
+function areaByHeight(positions: Float32Array, kept: Uint32Array): HeightAreas {
+  let [low, high] = [Infinity, -Infinity];
+  for (const i of kept) {
+    low = Math.min(low, positions[3 * i + 2]);
+    high = Math.max(high, positions[3 * i + 2]);
+  }
+  const areas = new Float64Array(Math.floor((high - low) / BIN) + 1);
+  const seen = new CellTable(kept.length / 4);
+  for (const i of kept) {
+    const bin = Math.floor((positions[3 * i + 2] - low) / BIN);
+    const before = seen.count;
+    seen.add(Math.floor(positions[3 * i] / AREA_CELL), Math.floor(positions[3 * i + 1] / AREA_CELL), bin);
+    if (seen.count > before) areas[bin]++;
+  }
+  return { low, areas };
+}
+
+interface Peak {
+  readonly bin: number;
+  readonly area: number;
+}
+
+/** Bins that hold more than any other within reach, and twice what walls alone give. */
+function peaksOf(areas: Float64Array): Peak[] {
+  const gathered = areas.map((_, bin) => {
+    let sum = 0;
+    for (let k = Math.max(0, bin - REACH); k <= Math.min(areas.length - 1, bin + REACH); k++) sum += areas[k];
+    return sum;
+  });
+  const walls = Float64Array.from(gathered).sort()[gathered.length >> 1];
+  const peaks: Peak[] = [];
+  for (let bin = 0; bin < areas.length; bin++) {
+    const area = gathered[bin] - walls;
+    if (area < walls) continue;
+    let isHighest = true;
+    for (let k = Math.max(0, bin - 2 * REACH); k <= Math.min(areas.length - 1, bin + 2 * REACH); k++) {
+      if (gathered[k] > gathered[bin] || (gathered[k] === gathered[bin] && k < bin)) isHighest = false;
+    }
+    if (isHighest) peaks.push({ bin, area });
+  }
+  return peaks;
+}
+
+/** Centre of the area around a peak. */
+function refined(areas: Float64Array, height: number, low: number): number {
+  const bin = Math.floor((height - low) / BIN);
+  let [sum, weighted] = [0, 0];
+  for (let k = Math.max(0, bin - REACH); k <= Math.min(areas.length - 1, bin + REACH); k++) {
+    sum += areas[k];
+    weighted += areas[k] * (low + (k + 0.5) * BIN);
+  }
+  return sum > 0 ? weighted / sum : height;
+}

@@ -1,0 +1,38 @@
+import type { HeightColumns } from './height-columns.ts';
+
+/** A column with points in more of its bins is a wall's or furniture's: what is seen above or below it tells nothing. */
+const CLEAR_SHARE = 0.3;
+/** … and so does a column with points in more of its bins below the ceiling: a lintel hangs there. */
+const LINTEL_SHARE = 0.4;
+
+/** Where a floor or a ceiling was seen and nothing stands. */
+export interface SeenSpace {
+  /** 1 for the columns that are clear, as their neighbours are, and seen. */
+  readonly isSeen: Uint8Array;
+  /** Whether the column at a place is clear and seen, whatever its neighbours are. */
+  at(x: number, y: number): boolean;
+}
+
+/** A column beside a wall may reach into it, so it does not count. O(columns). */
+export function seenSpace(columns: HeightColumns): SeenSpace {
+  const { table, count, size, hits, bins, topHits, topBins, planes, overhead } = columns;
+  const isSeen = new Uint8Array(count);
+  const isClear = (c: number) =>
+    c < 0 || (hits[c] <= CLEAR_SHARE * bins && topHits[c] <= LINTEL_SHARE * topBins);
+  for (let c = 0; c < count; c++) {
+    if (planes[c] === 0 && Number.isNaN(overhead[c])) continue;
+    const [ix, iy] = table.coordinatesOf(c);
+    let clear = true;
+    for (let dy = -1; dy <= 1 && clear; dy++) {
+      for (let dx = -1; dx <= 1 && clear; dx++) clear = isClear(table.find(ix + dx, iy + dy, 0));
+    }
+    isSeen[c] = clear ? 1 : 0;
+  }
+  return {
+    isSeen,
+    at(x, y) {
+      const c = table.find(Math.floor(x / size), Math.floor(y / size), 0);
+      return c >= 0 && isClear(c) && (planes[c] !== 0 || !Number.isNaN(overhead[c]));
+    },
+  };
+}
