@@ -9,7 +9,7 @@ const LINTEL_SHARE = 0.4;
 export interface SeenSpace {
   /** 1 for the columns that are clear, as their neighbours are, and seen. */
   readonly isSeen: Uint8Array;
-  /** Whether the column at a place is clear and seen, whatever its neighbours are. */
+  /** Whether the ceiling hangs free over a place, or where a storey has none the floor was seen there. */
   at(x: number, y: number): boolean;
 }
 
@@ -28,11 +28,22 @@ export function seenSpace(columns: HeightColumns): SeenSpace {
     }
     isSeen[c] = clear ? 1 : 0;
   }
+  const hasCeiling = isCeiled(columns);
   return {
     isSeen,
     at(x, y) {
       const c = table.find(Math.floor(x / size), Math.floor(y / size), 0);
-      return c >= 0 && isClear(c) && (planes[c] !== 0 || !Number.isNaN(overhead[c]));
+      return c >= 0 && isClear(c) && (hasCeiling ? !Number.isNaN(overhead[c]) : planes[c] !== 0);
     },
   };
+}
+
+/** Whether most of the floor has a ceiling over it. */
+function isCeiled({ planes, overhead }: HeightColumns): boolean {
+  let [floored, ceiled] = [0, 0];
+  for (let c = 0; c < planes.length; c++) {
+    if (planes[c] & 1) floored++;
+    if (!Number.isNaN(overhead[c])) ceiled++;
+  }
+  return ceiled > floored / 2;
 }
