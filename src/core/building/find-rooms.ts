@@ -32,6 +32,10 @@ const PASSING = 0.6;
 
 /** Between the faces of a wall hardly any column shows a floor or a ceiling. */
 const OPEN_SHARE = 0.15;
+/** So near behind the other face, m, a room begins and no other face stands … */
+const JUST_BEYOND = 0.1;
+/** … if the ceiling hangs over so much of it. */
+const ROOM_SHARE = 0.4;
 /** A niche is no deeper than this, m: deeper ones are rooms. */
 const DEEPEST_NICHE = 0.75;
 /** Faces that stand as walls over less of what was seen of them are furniture or reveals. */
@@ -69,27 +73,71 @@ function segmentOf({ nx, ny, offset, from, to }: Face, line: number): Segment {
 function withPartners(faces: readonly Face[], supports: readonly FaceSupport[], seen: SeenSpace): FaceSupport[] {
   return supports.map((support, i) => {
     const face = faces[i];
+    const others = faces.flatMap((other, j) => (j !== i && isParallel(face, other) ? [j] : []));
     const shares = support.shares.slice();
-    faces.forEach((other, j) => {
-      const cosine = face.nx * other.nx + face.ny * other.ny;
-      if (i === j || Math.abs(cosine) < SAME_DIRECTION) return;
-      const backed: number[] = [];
-      let open = 0;
-      for (let k = 0; k < shares.length; k++) {
-        if (shares[k] >= WALL_SHARE) continue;
-        const along = support.from + (k + 0.5) * support.step;
-        const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
-        const aside = x * other.nx + y * other.ny - other.offset;
-        if (Math.abs(aside) < THINNEST_WALL || Math.abs(aside) > THICKEST_WALL) continue;
-        if (!wallAt(supports[j], y * other.nx - x * other.ny)) continue;
-        backed.push(k);
-        if (seen.at(x - (aside / 2) * other.nx, y - (aside / 2) * other.ny)) open++;
+    for (const side of [1, -1]) {
+      for (const stretch of backedStretches({ faces, supports, i, others, side })) {
+        if (hidesAWall(face, stretch, seen)) for (const { k } of stretch) shares[k] = TAKEN_SHARE;
       }
-      if (open > OPEN_SHARE * backed.length) return;
-      for (const k of backed) shares[k] = TAKEN_SHARE;
-    });
+    }
     return { ...support, shares };
   });
+}
+
+function isParallel(a: Face, b: Face): boolean {
+  return Math.abs(a.nx * b.nx + a.ny * b.ny) >= SAME_DIRECTION;
+}
+
+/** A bit of a face with a standing one behind it, signed distance along the face's normal. */
+interface BackedBit {
+  readonly k: number;
+  readonly along: number;
+  readonly aside: number;
+}
+
+interface Backing {
+  readonly faces: readonly Face[];
+  readonly supports: readonly FaceSupport[];
+  readonly i: number;
+  /** Those parallel to it. */
+  readonly others: readonly number[];
+  readonly side: number;
+}
+
+/** The bits of a face that do not stand but have a standing face near on one side, by that face. */
+function backedStretches({ faces, supports, i, others, side }: Backing): BackedBit[][] {
+  const face = faces[i];
+  const { from, step, shares } = supports[i];
+  const byOther = new Map<number, BackedBit[]>();
+  for (let k = 0; k < shares.length; k++) {
+    if (shares[k] >= WALL_SHARE) continue;
+    const along = from + (k + 0.5) * step;
+    const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
+    let [nearest, least] = [-1, THICKEST_WALL];
+    for (const j of others) {
+      const other = faces[j];
+      const aside = side * (other.offset - x * other.nx - y * other.ny) * Math.sign(face.nx * other.nx + face.ny * other.ny);
+      if (aside <= 0 || aside >= least || !wallAt(supports[j], y * other.nx - x * other.ny)) continue;
+      [nearest, least] = [j, aside];
+    }
+    if (nearest < 0 || least < THINNEST_WALL) continue;
+    const bit = { k, along, aside: side * least };
+    const stretch = byOther.get(nearest);
+    if (stretch) stretch.push(bit);
+    else byOther.set(nearest, [bit]);
+  }
+  return [...byOther.values()];
+}
+
+/** Whether there is a wall between a face and the one behind it: nothing seen between them, but room behind. */
+function hidesAWall({ nx, ny, offset }: Face, stretch: readonly BackedBit[], seen: SeenSpace): boolean {
+  let [open, beyond] = [0, 0];
+  for (const { along, aside } of stretch) {
+    const at = (across: number) => seen.at(nx * (offset + across) - ny * along, ny * (offset + across) + nx * along);
+    if (at(aside / 2)) open++;
+    if (at(aside + Math.sign(aside) * JUST_BEYOND)) beyond++;
+  }
+  return open <= OPEN_SHARE * stretch.length && beyond >= ROOM_SHARE * stretch.length;
 }
 
 /** Lets walls go on over gaps between two stretches of them, unless another wall passes by at both ends: a corridor. */
@@ -146,7 +194,7 @@ function isPassage({ faces, own, i, begin, end }: GapPlace): boolean {
   if (!isNarrowing) return false;
   const face = faces[i];
   return !faces.some((other, j) => {
-    if (i === j || Math.abs(face.nx * other.nx + face.ny * other.ny) < SAME_DIRECTION) return false;
+    if (i === j || !isParallel(face, other)) return false;
     let [behind, count] = [0, 0];
     for (let along = begin + 0.05; along < end; along += 0.1) {
       const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
