@@ -1,6 +1,8 @@
 import type { PointCloud } from '../types.ts';
 import { columnDirections, turnBetween } from './column-directions.ts';
+import { type CurvedFace, fitArc } from './fit-arc.ts';
 import { type Face, fitLine, type Line } from './fit-line.ts';
+import { growArc } from './grow-arc.ts';
 import type { HeightColumns } from './height-columns.ts';
 
 /** Columns with hits in fewer of their bins are no wall … */
@@ -15,6 +17,10 @@ const MOST_TURN = (20 * Math.PI) / 180;
 const LONGEST_BREAK = 1.3;
 /** Shortest face, m: the side of a slender column, a niche. */
 const SHORTEST = 0.15;
+/** A line this long is no chord of a curved wall, m: with a radius up to 10 m it would leave its band. */
+const SURELY_STRAIGHT = 2;
+/** Points scatter more than this across no arc, m: it would be a corner. */
+const MOST_ARC_NOISE = 0.03;
 /** Share of a face's length that has columns. */
 const LEAST_FILLED = 0.35;
 
@@ -26,29 +32,50 @@ export interface WallColumns {
   readonly isFree: Uint8Array;
 }
 
+/** Upright surfaces of a storey. */
+export interface FoundFaces {
+  readonly straight: readonly Face[];
+  readonly curved: readonly CurvedFace[];
+}
+
 /**
- * Upright planes of a storey seen from above.
+ * Upright planes and cylinders of a storey seen from above.
  *
  * Lines grow from the columns that make the straightest lines with their neighbours: what follows along a line joins, the
  * line is fitted anew and grows on, at most by its own length at a time, so that it never leaves its wall for the other
- * face. Then the line is fitted robustly to the points. O(columns · log columns).
+ * face. Then the line is fitted robustly to the points. What lies in no long line may lie in an arc, and then in a short line. O(columns · log columns).
  */
-export function findFaces(cloud: PointCloud, columns: HeightColumns): Face[] {
+export function findFaces(cloud: PointCloud, columns: HeightColumns): FoundFaces {
   const isFree = wallColumns(columns);
   const { angle, support } = columnDirections(columns, isFree);
   const walls: WallColumns = { columns, angle, isFree };
   const seeds = Uint32Array.from(isFree.keys()).filter((c) => support[c] > 0);
   seeds.sort((a, b) => support[b] - support[a] || a - b);
-  const faces: Face[] = [];
+  const take = (members: readonly number[]) => {
+    for (const c of members) isFree[c] = 0;
+  };
+  const straight: Face[] = [];
+  const curved: CurvedFace[] = [];
+  const growLines = (shortest: number) => {
+    for (const seed of seeds) {
+      const line = isFree[seed] === 1 ? growLine(walls, seed) : null;
+      if (!line || line.to - line.from < shortest) continue;
+      const face = fitLine(cloud, columns, line);
+      if (!face) continue;
+      take(line.members);
+      straight.push(face);
+    }
+  };
+  growLines(SURELY_STRAIGHT);
   for (const seed of seeds) {
-    if (isFree[seed] === 0) continue;
-    const line = growLine(walls, seed);
-    const face = line && fitLine(cloud, columns, line);
-    if (!face || face.to - face.from < SHORTEST) continue;
-    for (const c of line.members) isFree[c] = 0;
-    faces.push(face);
+    const arc = isFree[seed] === 1 ? growArc(walls, seed) : null;
+    const face = arc && fitArc(cloud, columns, arc);
+    if (!face || face.noise > MOST_ARC_NOISE) continue;
+    take(face.members);
+    curved.push(face);
   }
-  return faces;
+  growLines(SHORTEST);
+  return { straight, curved };
 }
 
 function wallColumns({ count, hits, bins, topHits, topBins }: HeightColumns): Uint8Array {

@@ -1,6 +1,7 @@
 import type { PointCloud } from '../types.ts';
 import { type Arrangement, arrange, type Segment } from './arrangement.ts';
 import { type FaceSupport, supportAlong } from './face-support.ts';
+import { chordsOf, tiesOf } from './chords.ts';
 import { findFaces } from './find-faces.ts';
 import type { Face } from './fit-line.ts';
 import type { HeightColumns } from './height-columns.ts';
@@ -41,6 +42,9 @@ const DEEPEST_NICHE = 0.75;
 /** Faces that stand as walls over less of what was seen of them are furniture or reveals. */
 const LEAST_WALL_SHARE = 0.5;
 
+/** A face, and how far it is drawn on past its ends. */
+type WallFace = Face & { readonly reach: number };
+
 export interface FoundRooms {
   readonly faces: readonly Face[];
   readonly arrangement: Arrangement;
@@ -53,19 +57,24 @@ export interface FoundRooms {
 export function findRooms(cloud: PointCloud, columns: HeightColumns): FoundRooms {
   const seen = seenSpace(columns);
   const ceiling = localCeiling(columns);
-  const settled = settleFaces(cloud, columns, findFaces(cloud, columns));
-  const all = settled.map((face) => supportAlong(columns, ceiling, face, REACH));
-  const isWall = all.map(({ shares }) => standsAsWall(shares));
+  const { straight, curved } = findFaces(cloud, columns);
+  const settled: WallFace[] = [
+    ...settleFaces(cloud, columns, straight).map((face) => ({ ...face, reach: REACH })),
+    ...chordsOf(columns, curved).map((face) => ({ ...face, reach: 0 })),
+  ];
+  const all = settled.map((face) => supportAlong(columns, ceiling, face, face.reach));
+  const isWall = all.map(({ shares }, i) => settled[i].reach === 0 || standsAsWall(shares));
   const faces = settled.filter((_, i) => isWall[i]);
   const supports = all.filter((_, i) => isWall[i]);
-  const arrangement = arrange(faces.map((face, line) => segmentOf(face, line)));
+  const ties = faces.flatMap((face, line) => (face.reach === 0 ? tiesOf([face]).map(([ax, ay, bx, by]) => ({ ax, ay, bx, by, line })) : []));
+  const arrangement = arrange([...faces.map((face, line) => segmentOf(face, line)), ...ties]);
   const support = edgeSupport(arrangement, faces, goOn(faces, withPartners(faces, supports, seen), supports, seen));
   const space = labelSpace(arrangement, columns, seen.isSeen, support);
   return { faces, arrangement, support, space, rooms: traceRooms(arrangement, space.isRoom, support) };
 }
 
-function segmentOf({ nx, ny, offset, from, to }: Face, line: number): Segment {
-  const [a, b] = [from - REACH, to + REACH];
+function segmentOf({ nx, ny, offset, from, to, reach }: WallFace, line: number): Segment {
+  const [a, b] = [from - reach, to + reach];
   return { ax: nx * offset - ny * a, ay: ny * offset + nx * a, bx: nx * offset - ny * b, by: ny * offset + nx * b, line };
 }
 

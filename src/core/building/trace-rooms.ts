@@ -1,3 +1,4 @@
+import { cleanRing } from "./clean-ring.ts";
 import { perimeter, signedArea } from '../geometry/rings.ts';
 import type { Polygon, Ring } from '../types.ts';
 import type { Arrangement } from './arrangement.ts';
@@ -85,7 +86,7 @@ function walk(
     h = next[h];
     while (isOwn(face[h ^ 1])) h = next[h ^ 1];
   } while (h !== start);
-  return withoutStraights(Float64Array.from(ring));
+  return cleanRing(withoutStraights(Float64Array.from(ring)));
 }
 
 /** Leaves out vertices in the middle of a straight stretch. */
