@@ -40,10 +40,9 @@ function chordsOfArc({ centres }: HeightColumns, arc: CurvedFace): Face[] {
 /** How far a curve's end may be off the wall it runs into, m: two fits meet at a grazing angle. */
 const TIE = 0.06;
 
-/** Short strokes across the ends of a run of chords, that tie it to a wall it runs along rather than crosses. */
-export function tiesOf(chords: readonly Face[]): (readonly [ax: number, ay: number, bx: number, by: number])[] {
-  return chords.map(({ nx, ny, offset, from }) => {
-    const at = (across: number) => [nx * (offset + across) - ny * from, ny * (offset + across) + nx * from] as const;
-    return [...at(-TIE), ...at(TIE)] as const;
-  });
+/** A short stroke across the start of a chord, that ties a curve to a wall it runs along rather than crosses. */
+export function tieOf({ nx, ny, offset, from }: Face) {
+  const at = (across: number) => [nx * (offset + across) - ny * from, ny * (offset + across) + nx * from];
+  const [[ax, ay], [bx, by]] = [at(-TIE), at(TIE)];
+  return { ax, ay, bx, by };
 }

@@ -3,7 +3,7 @@ import { lineIntersection } from '../geometry/segments.ts';
 import type { Ring } from '../types.ts';
 
 /** Edges shorter than this are no shape of a wall but a seam of two fits, m. */
-const SHORTEST = 0.025;
+const SHORTEST = 0.06;
 /** A corner moves no farther than this when a seam closes, m. */
 const MOST_MOVE = 0.05;
 

@@ -1,52 +1,28 @@
 import type { PointCloud } from '../types.ts';
 import { type Arrangement, arrange, type Segment } from './arrangement.ts';
 import { type FaceSupport, supportAlong } from './face-support.ts';
-import { chordsOf, tiesOf } from './chords.ts';
+import { chordsOf, tieOf } from './chords.ts';
 import { findFaces } from './find-faces.ts';
 import type { Face } from './fit-line.ts';
 import type { HeightColumns } from './height-columns.ts';
 import { localCeiling } from './local-ceiling.ts';
 import { labelSpace, type Space } from './label-space.ts';
+import { missingBacks } from './missing-backs.ts';
 import { type SeenSpace, seenSpace } from './seen-space.ts';
 import { settleFaces } from './settle-faces.ts';
+import { takenSupport, WALL_SHARE } from './taken-walls.ts';
 import { type RoomFaces, traceRooms } from './trace-rooms.ts';
 
 /** How far faces are drawn on past their ends to meet others, m: a wall hidden behind a cupboard or two. */
 const REACH = 5;
-/** A share of wall that counts as one. */
-const WALL_SHARE = 0.5;
-/** Widest passage or hidden stretch that a wall is taken to go on over, m. */
-const WIDEST_PASSAGE = 2.5;
-/** What a wall that is only taken to go on counts. */
-const TAKEN_SHARE = 0.8;
-
-/** Two faces nearer or farther than this make no inner wall, m. */
-const THINNEST_WALL = 0.04;
-const THICKEST_WALL = 0.4;
-/** Cosine of the angle up to which they are parallel, 3°. */
-const SAME_DIRECTION = 0.9986;
-
-/** A wall that crosses within this of a gap's end bounds it, m: with the thickness of a wall between. */
-const NEAR_END = 0.3;
-/** … if it stands so far off, m: more than a wall is thick. */
-const PASSING = 0.6;
-
-/** Between the faces of a wall hardly any column shows a floor or a ceiling. */
-const OPEN_SHARE = 0.15;
-/** So near behind the other face, m, a room begins and no other face stands … */
-const JUST_BEYOND = 0.1;
-/** … if the ceiling hangs over so much of it. */
-const ROOM_SHARE = 0.4;
-/** A niche is no deeper than this, m: deeper ones are rooms. */
-const DEEPEST_NICHE = 0.75;
 /** Faces that stand as walls over less of what was seen of them are furniture or reveals. */
 const LEAST_WALL_SHARE = 0.5;
 
 /** A face, and how far it is drawn on past its ends. */
-type WallFace = Face & { readonly reach: number };
+export type WallFace = Face & { readonly reach: number };
 
 export interface FoundRooms {
-  readonly faces: readonly Face[];
+  readonly faces: readonly WallFace[];
   readonly arrangement: Arrangement;
   readonly support: Float64Array;
   readonly space: Space;
@@ -56,19 +32,39 @@ export interface FoundRooms {
 /** The rooms of a storey. */
 export function findRooms(cloud: PointCloud, columns: HeightColumns): FoundRooms {
   const seen = seenSpace(columns);
+  const walls = wallFaces(cloud, columns);
+  const first = subdivide(walls, columns, seen);
+  const backs = missingBacks(first, columns);
+  return backs.faces.length === 0 ? first : subdivide(joined(walls, backs), columns, seen);
+}
+
+/** Faces that stand as walls, with their support. */
+export interface WallFaces {
+  readonly faces: readonly WallFace[];
+  readonly supports: readonly FaceSupport[];
+}
+
+function wallFaces(cloud: PointCloud, columns: HeightColumns): WallFaces {
   const ceiling = localCeiling(columns);
   const { straight, curved } = findFaces(cloud, columns);
-  const settled: WallFace[] = [
+  const found: WallFace[] = [
     ...settleFaces(cloud, columns, straight).map((face) => ({ ...face, reach: REACH })),
     ...chordsOf(columns, curved).map((face) => ({ ...face, reach: 0 })),
   ];
-  const all = settled.map((face) => supportAlong(columns, ceiling, face, face.reach));
-  const isWall = all.map(({ shares }, i) => settled[i].reach === 0 || standsAsWall(shares));
-  const faces = settled.filter((_, i) => isWall[i]);
-  const supports = all.filter((_, i) => isWall[i]);
-  const ties = faces.flatMap((face, line) => (face.reach === 0 ? tiesOf([face]).map(([ax, ay, bx, by]) => ({ ax, ay, bx, by, line })) : []));
-  const arrangement = arrange([...faces.map((face, line) => segmentOf(face, line)), ...ties]);
-  const support = edgeSupport(arrangement, faces, goOn(faces, withPartners(faces, supports, seen), supports, seen));
+  const supports = found.map((face) => supportAlong(columns, ceiling, face, face.reach));
+  const isWall = (_: unknown, i: number) => found[i].reach === 0 || standsAsWall(supports[i].shares);
+  return { faces: found.filter(isWall), supports: supports.filter(isWall) };
+}
+
+function joined(a: WallFaces, b: WallFaces): WallFaces {
+  return { faces: [...a.faces, ...b.faces], supports: [...a.supports, ...b.supports] };
+}
+
+function subdivide({ faces, supports }: WallFaces, columns: HeightColumns, seen: SeenSpace): FoundRooms {
+  const segments = faces.map((face, line) => segmentOf(face, line));
+  const ties = faces.flatMap((face, line) => (face.reach === 0 ? [{ ...tieOf(face), line }] : []));
+  const arrangement = arrange([...segments, ...ties]);
+  const support = edgeSupport(arrangement, faces, takenSupport(faces, supports, seen));
   const space = labelSpace(arrangement, columns, seen.isSeen, support);
   return { faces, arrangement, support, space, rooms: traceRooms(arrangement, space.isRoom, support) };
 }
@@ -76,176 +72,6 @@ export function findRooms(cloud: PointCloud, columns: HeightColumns): FoundRooms
 function segmentOf({ nx, ny, offset, from, to, reach }: WallFace, line: number): Segment {
   const [a, b] = [from - reach, to + reach];
   return { ax: nx * offset - ny * a, ay: ny * offset + nx * a, bx: nx * offset - ny * b, by: ny * offset + nx * b, line };
-}
-
-/** Adds what a wall's other face tells of it. */
-function withPartners(faces: readonly Face[], supports: readonly FaceSupport[], seen: SeenSpace): FaceSupport[] {
-  return supports.map((support, i) => {
-    const face = faces[i];
-    const others = faces.flatMap((other, j) => (j !== i && isParallel(face, other) ? [j] : []));
-    const shares = support.shares.slice();
-    for (const side of [1, -1]) {
-      for (const stretch of backedStretches({ faces, supports, i, others, side })) {
-        if (hidesAWall(face, stretch, seen)) for (const { k } of stretch) shares[k] = TAKEN_SHARE;
-      }
-    }
-    return { ...support, shares };
-  });
-}
-
-function isParallel(a: Face, b: Face): boolean {
-  return Math.abs(a.nx * b.nx + a.ny * b.ny) >= SAME_DIRECTION;
-}
-
-/** A bit of a face with a standing one behind it, signed distance along the face's normal. */
-interface BackedBit {
-  readonly k: number;
-  readonly along: number;
-  readonly aside: number;
-}
-
-interface Backing {
-  readonly faces: readonly Face[];
-  readonly supports: readonly FaceSupport[];
-  readonly i: number;
-  /** Those parallel to it. */
-  readonly others: readonly number[];
-  readonly side: number;
-}
-
-/** The bits of a face that do not stand but have a standing face near on one side, by that face. */
-function backedStretches({ faces, supports, i, others, side }: Backing): BackedBit[][] {
-  const face = faces[i];
-  const { from, step, shares } = supports[i];
-  const byOther = new Map<number, BackedBit[]>();
-  for (let k = 0; k < shares.length; k++) {
-    if (shares[k] >= WALL_SHARE) continue;
-    const along = from + (k + 0.5) * step;
-    const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
-    let [nearest, least] = [-1, THICKEST_WALL];
-    for (const j of others) {
-      const other = faces[j];
-      const aside = side * (other.offset - x * other.nx - y * other.ny) * Math.sign(face.nx * other.nx + face.ny * other.ny);
-      if (aside <= 0 || aside >= least || !wallAt(supports[j], y * other.nx - x * other.ny)) continue;
-      [nearest, least] = [j, aside];
-    }
-    if (nearest < 0 || least < THINNEST_WALL) continue;
-    const bit = { k, along, aside: side * least };
-    const stretch = byOther.get(nearest);
-    if (stretch) stretch.push(bit);
-    else byOther.set(nearest, [bit]);
-  }
-  return [...byOther.values()];
-}
-
-/** Whether there is a wall between a face and the one behind it: nothing seen between them, but room behind. */
-function hidesAWall({ nx, ny, offset }: Face, stretch: readonly BackedBit[], seen: SeenSpace): boolean {
-  let [open, beyond] = [0, 0];
-  for (const { along, aside } of stretch) {
-    const at = (across: number) => seen.at(nx * (offset + across) - ny * along, ny * (offset + across) + nx * along);
-    if (at(aside / 2)) open++;
-    if (at(aside + Math.sign(aside) * JUST_BEYOND)) beyond++;
-  }
-  return open <= OPEN_SHARE * stretch.length && beyond >= ROOM_SHARE * stretch.length;
-}
-
-/** Lets walls go on over gaps between two stretches of them, unless another wall passes by at both ends: a corridor. */
-function goOn(
-  faces: readonly Face[],
-  supports: readonly FaceSupport[],
-  own: readonly FaceSupport[],
-  seen: SeenSpace,
-): FaceSupport[] {
-  return supports.map((support, i) => {
-    const { from, step } = support;
-    const shares = support.shares.map((share) => (share >= WALL_SHARE ? 1 : share));
-    let last = -1;
-    for (let k = 0; k < shares.length; k++) {
-      if (support.shares[k] < WALL_SHARE) continue;
-      const isGap = last >= 0 && k - last > 1 && (k - last) * step <= WIDEST_PASSAGE;
-      const [begin, end] = [from + (last + 1) * step, from + k * step];
-      if (isGap && (!isOpen(faces[i], begin, end, seen) || isPassage({ faces, own, i, begin, end }))) {
-        for (let m = last + 1; m < k; m++) shares[m] = Math.max(shares[m], TAKEN_SHARE);
-      }
-      last = k;
-    }
-    return { ...support, shares };
-  });
-}
-
-interface GapPlace {
-  readonly faces: readonly Face[];
-  readonly own: readonly FaceSupport[];
-  readonly i: number;
-  readonly begin: number;
-  readonly end: number;
-}
-
-/** Whether space was seen on most of a stretch. */
-function isOpen(face: Face, begin: number, end: number, seen: SeenSpace): boolean {
-  let [open, count] = [0, 0];
-  for (let along = begin + 0.05; along < end; along += 0.1) {
-    count++;
-    if (seen.at(face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along)) open++;
-  }
-  return open > count / 2;
-}
-
-/**
- * Whether a gap leads from room to room: it is narrower than the space on either side of it, and no wall stands behind it.
- *
- * A corridor that passes through, or the mouth of a wing, is as wide as the gap.
- */
-function isPassage({ faces, own, i, begin, end }: GapPlace): boolean {
-  const isNarrowing = [1, -1].every((side) =>
-    [begin, end].some((along) => !passesBy(faces, own, i, { along, side })),
-  );
-  if (!isNarrowing) return false;
-  const face = faces[i];
-  return !faces.some((other, j) => {
-    if (i === j || !isParallel(face, other)) return false;
-    let [behind, count] = [0, 0];
-    for (let along = begin + 0.05; along < end; along += 0.1) {
-      const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
-      const aside = Math.abs(x * other.nx + y * other.ny - other.offset);
-      count++;
-      if (aside < DEEPEST_NICHE && wallAt(own[j], y * other.nx - x * other.ny)) behind++;
-    }
-    return behind > count / 2;
-  });
-}
-
-/** Whether a face stands as a wall where it was seen. */
-function standsAsWall(shares: Float64Array): boolean {
-  let [wall, any] = [0, 0];
-  for (const share of shares) {
-    if (share > 0) any++;
-    if (share >= WALL_SHARE) wall++;
-  }
-  return wall > 0 && wall >= LEAST_WALL_SHARE * any;
-}
-
-/** Whether a wall leads away from a face, near a place along it, to one side. */
-function passesBy(
-  faces: readonly Face[],
-  own: readonly FaceSupport[],
-  i: number,
-  { along, side }: { readonly along: number; readonly side: number },
-): boolean {
-  const face = faces[i];
-  return faces.some((other, j) => {
-    const sine = face.nx * other.ny - face.ny * other.nx;
-    if (Math.abs(sine) < 0.5) return false;
-    const x = (face.offset * other.ny - other.offset * face.ny) / sine;
-    const y = (face.nx * other.offset - other.nx * face.offset) / sine;
-    if (Math.abs(y * face.nx - x * face.ny - along) > NEAR_END) return false;
-    const [px, py] = [x + side * PASSING * face.nx, y + side * PASSING * face.ny];
-    return wallAt(own[j], py * other.nx - px * other.ny);
-  });
-}
-
-function wallAt({ from, step, shares }: FaceSupport, along: number): boolean {
-  return (shares[Math.floor((along - from) / step)] ?? 0) >= WALL_SHARE;
 }
 
 interface Shares {
@@ -273,3 +99,13 @@ function edgeSupport({ x, y, origin, lines }: Arrangement, faces: readonly Face[
     return best;
   });
 }
+/** Whether a face stands as a wall where it was seen. */
+function standsAsWall(shares: Float64Array): boolean {
+  let [wall, any] = [0, 0];
+  for (const share of shares) {
+    if (share > 0) any++;
+    if (share >= WALL_SHARE) wall++;
+  }
+  return wall > 0 && wall >= LEAST_WALL_SHARE * any;
+}
+

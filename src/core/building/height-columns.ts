@@ -172,3 +172,9 @@ function bitCount(mask: number): number {
   for (; rest !== 0; bits++) rest &= rest - 1;
   return bits;
 }
+
+/** Whether floor or ceiling was seen in the column at a place. */
+export function hasPlane({ table, size, planes }: HeightColumns, x: number, y: number): boolean {
+  const c = table.find(Math.floor(x / size), Math.floor(y / size), 0);
+  return c >= 0 && planes[c] !== 0;
+}
