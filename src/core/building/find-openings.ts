@@ -17,6 +17,20 @@ const WIDEST = 6;
 const JAMB_REACH = 0.15;
 /** Fewest points of a jamb, a head or a sill. */
 const FEWEST = 5;
+/** Width of a jamb's points along the wall, m. */
+const JAMB_WIDTH = 0.06;
+/** Points nearer to floor or ceiling than this are theirs, m. */
+const OFF_PLANE = 0.1;
+/** A reveal has no gap in depth wider than this, m. */
+const DEPTH_GAP = 0.12;
+/** A sill or a head is level within this, m. */
+const LEVEL_REACH = 0.03;
+/** … and seen over this share of the width. */
+const LEVEL_SHARE = 0.4;
+/** Where floor or ceiling shows over this share of a width, the scan sees through. */
+const THROUGH_SHARE = 0.4;
+/** Least height of an opening, m. */
+const LEAST_OPEN = 0.3;
 /** A jamb is seen over at least this height, m. */
 const LEAST_JAMB = 0.4;
 /** A door's sill is no higher, its head no lower, m. */
@@ -46,29 +60,58 @@ export interface WallLook {
   readonly noise: number;
   /** Height of the ceiling above the floor, m. */
   readonly ceiling: number;
+  /** Whether floor or ceiling was seen within the wall, at a place along it. */
+  isThrough(along: number): boolean;
+}
+
+/** Where a wall is void at eye height, m along it, and the points of its reveals there. */
+interface Void {
+  readonly from: number;
+  readonly to: number;
+  readonly reveals: readonly number[];
 }
 
 /**
  * Doors, windows and passages of a stretch of wall.
  *
- * A void at eye height in every face of the wall is an opening where points within the wall show its reveals, or where the
- * scan sees through both faces; otherwise something hides the wall. Jambs, head and sill are then read off the reveals.
- * O(points).
+ * A void at eye height in every face of the wall may be an opening or hidden. Reveals tell: points within the wall, which
+ * stand upright at jambs and lie level at sills and heads. Jambs part a void; a part is an opening where sill or head is seen
+ * over most of its width, or where the scan sees through beside a jamb. O(points).
  */
 export function findOpenings(look: WallLook): FoundOpening[] {
-  const { strip, length, thickness, noise } = look;
-  const band = Math.min(Math.max(ON_FACE, 3 * noise), Number.isFinite(thickness) ? thickness / 2 : Infinity);
-  const isFace = (d: number) => Math.abs(d) <= band;
-  const isBack = (d: number) => Math.abs(d - thickness) <= band;
-  const front = standing(strip, length, isFace);
-  const back = Number.isFinite(thickness) ? standing(strip, length, isBack) : front;
+  const band = faceBand(look);
+  const inside = revealPoints(look, band);
+  return voidsOf(look, band).flatMap(([from, to]) => {
+    const { along } = look.strip;
+    const near = inside.filter((i) => along[i] > from - JAMB_REACH && along[i] < to + JAMB_REACH);
+    const hole = { from, to, reveals: nearFace(look, near) };
+    return partsOf(look, hole).flatMap((part) => openingIn(look, hole, part, band) ?? []);
+  });
+}
+
+/** Half thickness of a face, m. */
+function faceBand({ noise, thickness }: WallLook): number {
+  return Math.min(Math.max(ON_FACE, 3 * noise), thickness / 3);
+}
+
+/** Stretches along which nothing stands at eye height. */
+function voidsOf({ strip, length, thickness }: WallLook, band: number): [number, number][] {
+  const front = standing(strip, length, (d) => Math.abs(d) <= band);
+  const back = Number.isFinite(thickness)
+    ? standing(strip, length, (d) => Math.abs(d - thickness) <= band)
+    : front;
   const isVoid = front.map((share, k) => (share <= STANDING && back[k] <= STANDING ? 1 : 0));
-  const inner = reveals(look, band);
-  return runsOf(isVoid).flatMap(([from, to]) => openingAt(look, inner, { from: from * STEP, to: to * STEP, band }) ?? []);
+  return runsOf(isVoid)
+    .map(([from, to]): [number, number] => [from * STEP, Math.min(length, to * STEP)])
+    .filter(([from, to]) => to - from >= NARROWEST - 2 * STEP);
 }
 
 /** Share of the bits at eye height that have points, for each bit along a face. */
-function standing({ count, along, deep, high }: WallStrip, length: number, isOn: (d: number) => boolean): Float64Array {
+function standing(
+  { count, along, deep, high }: WallStrip,
+  length: number,
+  isOn: (d: number) => boolean,
+): Float64Array {
   const rows = Math.round((LOOK_TO - LOOK_FROM) / STEP);
   const columns = Math.max(1, Math.ceil(length / STEP));
   const hits = new Uint8Array(rows * columns);
@@ -99,65 +142,132 @@ function runsOf(isVoid: Float64Array): [number, number][] {
   return runs;
 }
 
-/** Points within the wall. */
-function reveals({ strip, thickness, ceiling }: WallLook, band: number): number[] {
+/** Points within the wall, off its faces, floor and ceiling. */
+function revealPoints({ strip, thickness, ceiling }: WallLook, band: number): number[] {
   const inside: number[] = [];
-  const deepest = Number.isFinite(thickness) ? thickness - band / 2 : Infinity;
   for (let i = 0; i < strip.count; i++) {
-    if (strip.deep[i] <= band / 2 || strip.deep[i] >= deepest) continue;
-    if (strip.high[i] < 0.1 || strip.high[i] > ceiling - 0.1) continue;
+    if (strip.deep[i] <= band || strip.deep[i] >= thickness - band) continue;
+    if (strip.high[i] < OFF_PLANE || strip.high[i] > ceiling - OFF_PLANE) continue;
     inside.push(i);
   }
   return inside;
 }
 
-interface VoidRun {
+/** Reveals begin at the face: what lies behind a gap in depth is something else outside. */
+function nearFace({ strip }: WallLook, points: readonly number[]): number[] {
+  const sorted = [...points].sort((a, b) => strip.deep[a] - strip.deep[b]);
+  const end = sorted.findIndex((i, k) => strip.deep[i] - (k > 0 ? strip.deep[sorted[k - 1]] : 0) > DEPTH_GAP);
+  return end < 0 ? sorted : sorted.slice(0, end);
+}
+
+/** A stretch of a void between two ends, each a jamb that was seen or the end of the void. */
+interface Part {
   readonly from: number;
   readonly to: number;
-  readonly band: number;
+  readonly jambs: number;
 }
 
-function openingAt(look: WallLook, inner: readonly number[], { from, to, band }: VoidRun): FoundOpening | null {
+function partsOf(look: WallLook, hole: Void): Part[] {
+  const jambs = jambsIn(look, hole);
+  const ends = jambs.map((at) => ({ at, isJamb: true }));
+  if (!jambs.some((at) => Math.abs(at - hole.from) <= JAMB_REACH)) ends.unshift({ at: hole.from, isJamb: false });
+  if (!jambs.some((at) => Math.abs(at - hole.to) <= JAMB_REACH)) ends.push({ at: hole.to, isJamb: false });
+  const parts: Part[] = [];
+  for (let k = 1; k < ends.length; k++) {
+    const [left, right] = [ends[k - 1], ends[k]];
+    if (right.at - left.at < NARROWEST || right.at - left.at > WIDEST) continue;
+    parts.push({ from: left.at, to: right.at, jambs: Number(left.isJamb) + Number(right.isJamb) });
+  }
+  return parts;
+}
+
+/** Places along a void where reveals stand upright, in order. */
+function jambsIn({ strip }: WallLook, { reveals }: Void): number[] {
+  const below = reveals.filter((i) => strip.high[i] < LOOK_TO + 0.1);
+  const sorted = below.map((i) => ({ at: strip.along[i], z: strip.high[i] })).sort((a, b) => a.at - b.at);
+  const found: { at: number; weight: number }[] = [];
+  let low = 0;
+  for (let k = 0; k < sorted.length; k++) {
+    while (sorted[k].at - sorted[low].at > JAMB_WIDTH) low++;
+    const window = sorted.slice(low, k + 1);
+    const steps = new Set(window.map(({ z }) => Math.floor(z / (2 * STEP)))).size;
+    if (window.length < FEWEST || steps * 2 * STEP < LEAST_JAMB) continue;
+    found.push({ at: window[window.length >> 1].at, weight: steps + window.length / 1000 });
+  }
+  found.sort((a, b) => b.weight - a.weight);
+  const kept: number[] = [];
+  for (const { at } of found) if (kept.every((other) => Math.abs(other - at) > JAMB_REACH)) kept.push(at);
+  return kept.sort((a, b) => a - b);
+}
+
+function openingIn(look: WallLook, { reveals }: Void, { from, to, jambs }: Part, band: number): FoundOpening | null {
   const { strip, thickness, ceiling } = look;
-  if (to - from < NARROWEST - 2 * STEP || to - from > WIDEST) return null;
-  const near = inner.filter((i) => strip.along[i] > from - JAMB_REACH && strip.along[i] < to + JAMB_REACH);
-  const left = jambAt(strip, near, from);
-  const right = jambAt(strip, near, to);
-  const [begin, end] = [left ?? faceEnd(look, from, band, -1), right ?? faceEnd(look, to, band, 1)];
-  if (end - begin < NARROWEST) return null;
-  const margin = Math.min(0.1, (end - begin) / 4);
-  const between = near.filter((i) => strip.along[i] > begin + margin && strip.along[i] < end - margin);
-  const headLevel = levelOf(between.map((i) => strip.high[i]).filter((z) => z > LOOK_TO - 0.05));
-  const sillLevel = levelOf(between.map((i) => strip.high[i]).filter((z) => z < LOOK_FROM + 0.05));
+  const margin = Math.min(0.1, (to - from) / 4);
+  const between = reveals.filter((i) => strip.along[i] > from + margin && strip.along[i] < to - margin);
+  const width = to - from - 2 * margin;
+  const head = levelOf(strip, between.filter((i) => strip.high[i] > LOOK_TO - 0.05), width);
+  const sill = levelOf(strip, between.filter((i) => strip.high[i] < LOOK_FROM + 0.05), width);
+  const through = throughShare(look, from + margin, to - margin);
   const isPaired = Number.isFinite(thickness);
-  const evidence = [left, right, headLevel, sillLevel].filter((part) => part !== null).length;
-  if (evidence < (isPaired ? 1 : 2)) return null;
-  const { sill, head } = heightsOf(look, { begin: begin + margin, end: end - margin, band }, headLevel, sillLevel);
-  if (head - sill < 0.3) return null;
-  const isLow = sill <= DOOR_SILL && head >= LEAST_HEAD;
-  const type = !isLow ? 'window' : ceiling - head <= NO_LINTEL ? 'passage' : 'door';
-  const depths = near.map((i) => strip.deep[i]).sort((a, b) => a - b);
-  const reveal = depths.length >= FEWEST ? depths[Math.floor(0.98 * (depths.length - 1))] : Number.NaN;
-  return { type, from: begin, to: end, sill: isLow ? 0 : sill, head, reveal, confidence: Math.min(1, evidence / 3) };
+  const isSeen = head.share >= LEVEL_SHARE || sill.share >= LEVEL_SHARE;
+  if (!isSeen && !(isPaired && jambs > 0 && through >= THROUGH_SHARE)) return null;
+  const faces = faceHeights(look, { begin: from + margin, end: to - margin, band });
+  const bottom = sill.share >= LEVEL_SHARE ? sill.height : faces.sill;
+  const top = head.share >= LEVEL_SHARE ? head.height : faces.head;
+  if (top - bottom < LEAST_OPEN) return null;
+  const isLow = bottom <= DOOR_SILL && top >= LEAST_HEAD;
+  const type = !isLow ? 'window' : ceiling - top <= NO_LINTEL ? 'passage' : 'door';
+  const evidence = jambs + (head.share >= LEVEL_SHARE ? 1 : 0) + (isLow ? through : sill.share >= LEVEL_SHARE ? 1 : 0);
+  const ends = jambs === 2 ? { from, to } : { from: from, to: to };
+  return {
+    ...ends,
+    type,
+    sill: isLow ? 0 : bottom,
+    head: top,
+    reveal: deepest(strip, reveals.filter((i) => strip.along[i] > from - 0.05 && strip.along[i] < to + 0.05)),
+    confidence: Math.min(1, evidence / 3),
+  };
 }
 
-/** Where the reveal beside a void's end stands, by its points. */
-function jambAt({ along, high }: WallStrip, near: readonly number[], end: number): number | null {
-  const beside = near.filter((i) => Math.abs(along[i] - end) <= JAMB_REACH && high[i] > 0.2 && high[i] < LOOK_TO + 0.1);
-  if (beside.length < FEWEST) return null;
-  const place = densest(beside.map((i) => along[i]));
-  const on = beside.filter((i) => Math.abs(along[i] - place) <= 0.03);
-  const heights = on.map((i) => high[i]);
-  if (on.length < FEWEST || Math.max(...heights) - Math.min(...heights) < LEAST_JAMB) return null;
-  return medianOf(Float64Array.from(on, (i) => along[i]));
+function deepest({ deep }: WallStrip, points: readonly number[]): number {
+  if (points.length < FEWEST) return Number.NaN;
+  const depths = Float64Array.from(points, (i) => deep[i]).sort();
+  return depths[Math.floor(0.98 * (depths.length - 1))];
 }
 
-/** Middle of the six centimetres that hold most values. */
+function throughShare({ isThrough }: WallLook, from: number, to: number): number {
+  let [through, count] = [0, 0];
+  for (let along = from; along <= to; along += STEP) {
+    count++;
+    if (isThrough(along)) through++;
+  }
+  return through / count;
+}
+
+interface Level {
+  readonly height: number;
+  /** Part of the width over which it was seen. */
+  readonly share: number;
+}
+
+/** The height at which most of some points lie, and how much of a width they cover. */
+function levelOf({ along, high }: WallStrip, points: readonly number[], width: number): Level {
+  if (points.length < FEWEST) return { height: Number.NaN, share: 0 };
+  const level = densest(points.map((i) => high[i]));
+  const on = points.filter((i) => Math.abs(high[i] - level) <= LEVEL_REACH);
+  const bits = new Set(on.map((i) => Math.floor(along[i] / (2 * STEP))));
+  return {
+    height: medianOf(Float64Array.from(on, (i) => high[i])),
+    share: on.length < FEWEST ? 0 : Math.min(1, (bits.size * 2 * STEP) / width),
+  };
+}
+
+/** Middle of the stretch of twice {@link LEVEL_REACH} that holds most values. */
 function densest(values: readonly number[]): number {
   const sorted = Float64Array.from(values).sort();
   let [best, most, low] = [sorted[0], 0, 0];
   for (let k = 0; k < sorted.length; k++) {
-    while (sorted[k] - sorted[low] > 0.06) low++;
+    while (sorted[k] - sorted[low] > 2 * LEVEL_REACH) low++;
     if (k - low + 1 > most) {
       most = k - low + 1;
       best = (sorted[k] + sorted[low]) / 2;
@@ -166,37 +276,11 @@ function densest(values: readonly number[]): number {
   return best;
 }
 
-/** Where the faces end beside a void. */
-function faceEnd({ strip, thickness }: WallLook, end: number, band: number, side: 1 | -1): number {
-  let best = end;
-  let gap = Infinity;
-  for (let i = 0; i < strip.count; i++) {
-    if (strip.high[i] < LOOK_FROM || strip.high[i] > LOOK_TO) continue;
-    const isOn = Math.abs(strip.deep[i]) <= band || Math.abs(strip.deep[i] - thickness) <= band;
-    const beyond = side * (strip.along[i] - end) + 2 * STEP;
-    if (!isOn || beyond < 0 || beyond > gap) continue;
-    gap = beyond;
-    best = strip.along[i];
-  }
-  return best;
-}
-
-/** The height at which most of some points lie, if enough do. */
-function levelOf(heights: readonly number[]): number | null {
-  if (heights.length < FEWEST) return null;
-  const level = densest(heights);
-  const on = heights.filter((z) => Math.abs(z - level) <= 0.03);
-  return on.length >= FEWEST ? medianOf(Float64Array.from(on)) : null;
-}
-
-/** Sill and head: read off the reveals, else from where the faces go on. */
-function heightsOf(
-  look: WallLook,
+/** Heights between which no face stands over most of a width, around eye height. */
+function faceHeights(
+  { strip, thickness, ceiling }: WallLook,
   { begin, end, band }: { readonly begin: number; readonly end: number; readonly band: number },
-  headLevel: number | null,
-  sillLevel: number | null,
 ) {
-  const { strip, thickness, ceiling } = look;
   const rows = Math.ceil(ceiling / STEP);
   const columns = Math.max(1, Math.floor((end - begin) / STEP));
   const hits = new Uint8Array(rows * columns);
@@ -216,9 +300,5 @@ function heightsOf(
   while (top < rows && !isWall[top]) top++;
   let bottom = middle;
   while (bottom >= 0 && !isWall[bottom]) bottom--;
-  const headByFace = top >= rows ? ceiling : top * STEP;
-  const sillByFace = bottom < 0 ? 0 : (bottom + 1) * STEP;
-  const head = headLevel !== null && Math.abs(headLevel - headByFace) < 0.3 ? headLevel : headByFace;
-  const sill = sillLevel !== null && Math.abs(sillLevel - sillByFace) < 0.3 ? sillLevel : sillByFace;
-  return { sill, head };
+  return { head: top >= rows ? ceiling : top * STEP, sill: bottom < 0 ? 0 : (bottom + 1) * STEP };
 }

@@ -2,11 +2,11 @@ import type { Opening, PointCloud, Polygon, Room, Wall } from '../types.ts';
 import { findOpenings, type FoundOpening } from './find-openings.ts';
 import { findRooms } from './find-rooms.ts';
 import type { StoreyHeights } from './find-storeys.ts';
-import { heightColumns } from './height-columns.ts';
+import { type HeightColumns, hasPlane, heightColumns } from './height-columns.ts';
 import { type FacePair, pairFaces } from './pair-faces.ts';
 import { primaryOutline } from './primary-outline.ts';
 import { edgesOf, type RoomEdge } from './room-edges.ts';
-import { wallStrip } from './wall-strip.ts';
+import { type WallStretch, wallStrip } from './wall-strip.ts';
 
 /** How deep an outer wall is looked into, m. */
 const DEEPEST = 0.8;
@@ -35,7 +35,7 @@ export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: Storey
     const { face, from, to, thickness } = pair;
     const stretch = { ...startOf(face, from), ux: face.ux, uy: face.uy, length: to - from, depth: thickness };
     const strip = wallStrip(cloud, columns, stretch);
-    for (const opening of findOpenings({ strip, length: to - from, thickness, noise, ceiling })) {
+    for (const opening of findOpenings({ strip, length: to - from, thickness, noise, ceiling, isThrough: throughAt(columns, stretch, thickness / 2) })) {
       openings.push(placed(opening, stretch, thickness / 2));
     }
     walls.push({ outline: { outer: pairRing(pair), holes: [] }, thickness, confidence: 1 });
@@ -43,7 +43,7 @@ export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: Storey
   const outer = edgesOf(primary).map((edge) => {
     const stretch = { x: edge.ax, y: edge.ay, ux: edge.ux, uy: edge.uy, length: edge.length, depth: DEEPEST };
     const strip = wallStrip(cloud, columns, stretch);
-    return { edge, stretch, openings: findOpenings({ strip, length: edge.length, thickness: Infinity, noise, ceiling }) };
+    return { edge, stretch, openings: findOpenings({ strip, length: edge.length, thickness: Infinity, noise, ceiling, isThrough: () => false }) };
   });
   const reveals = outer.flatMap(({ openings: own }) => own.map(({ reveal }) => reveal)).filter((r) => r > 0.1);
   const usual = reveals.length > 0 ? reveals.sort((a, b) => a - b)[reveals.length >> 1] : 0.3;
@@ -54,6 +54,10 @@ export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: Storey
   }
   const rooms = found.rooms.map(({ outline }, i) => ({ name: `Room ${i + 1}`, outline, height: ceiling, confidence: 1 }));
   return { primary, rooms, walls, openings };
+}
+
+function throughAt(columns: HeightColumns, { x, y, ux, uy }: WallStretch, deep: number) {
+  return (along: number) => hasPlane(columns, x + along * ux + deep * uy, y + along * uy - deep * ux);
 }
 
 function medianNoise(values: number[]): number {
