@@ -1,8 +1,10 @@
-import type { Opening, PointCloud, Polygon, Room, Wall } from '../types.ts';
+import type { Opening, PointCloud, Polygon, Room, SecondaryBoundary, Wall } from '../types.ts';
+import { findColumns } from './find-columns.ts';
 import { findOpenings, type FoundOpening } from './find-openings.ts';
 import { findRooms } from './find-rooms.ts';
 import type { StoreyHeights } from './find-storeys.ts';
 import { type HeightColumns, hasPlane, heightColumns } from './height-columns.ts';
+import { localCeiling } from './local-ceiling.ts';
 import { type FacePair, pairFaces } from './pair-faces.ts';
 import { primaryOutline } from './primary-outline.ts';
 import { edgesOf, type RoomEdge } from './room-edges.ts';
@@ -18,6 +20,7 @@ export interface StoreyPlan {
   readonly rooms: readonly Room[];
   readonly walls: readonly Wall[];
   readonly openings: readonly Opening[];
+  readonly secondary: readonly SecondaryBoundary[];
 }
 
 export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: StoreyHeights): StoreyPlan {
@@ -53,7 +56,8 @@ export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: Storey
     for (const opening of own) openings.push(placed(opening, stretch, thickness / 2));
   }
   const rooms = found.rooms.map(({ outline }, i) => ({ name: `Room ${i + 1}`, outline, height: ceiling, confidence: 1 }));
-  return { primary, rooms, walls, openings };
+  const secondary = findColumns(cloud, columns, localCeiling(columns), outlines);
+  return { primary, rooms, walls, openings, secondary };
 }
 
 function throughAt(columns: HeightColumns, { x, y, ux, uy }: WallStretch, deep: number) {

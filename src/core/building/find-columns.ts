@@ -1,0 +1,105 @@
+import { convexHull } from '../geometry/convex-hull.ts';
+import { pointInPolygon, signedArea } from '../geometry/rings.ts';
+import { completeShell } from '../secondary/complete-shell.ts';
+import { distanceToRing } from '../secondary/structure.ts';
+import type { PointCloud, Polygon, Ring, SecondaryBoundary } from '../types.ts';
+import { binAt, type HeightColumns, hasBin } from './height-columns.ts';
+import type { LocalCeiling } from './local-ceiling.ts';
+
+/** A structure stands this far off the walls, m: nearer, it is a part of them. */
+const OFF_WALL = 0.12;
+/** Height below the ceiling that a structure reaches into, m: above cupboards. */
+const TOP_BAND = 0.45;
+/** … with points in so many of its bins … */
+const TOP_SHARE = 0.5;
+/** … and over so much of its whole height. */
+const LEAST_STANDING = 0.6;
+/** Fewest columns, and area, m², of the grid that make one. */
+const FEWEST = 3;
+const SMALLEST = 0.01;
+/** Larger ones are shafts and cores, m². */
+const LARGEST_COLUMN = 1.5;
+const LARGEST = 12;
+
+/** Structures that stand from floor to ceiling within rooms: columns and shafts. */
+export function findColumns(
+  cloud: PointCloud,
+  columns: HeightColumns,
+  ceiling: LocalCeiling,
+  rooms: readonly Polygon[],
+): SecondaryBoundary[] {
+  const isStanding = standingColumns(columns, ceiling);
+  const isInside = (c: number) => insideRooms(columns, c, rooms);
+  const members = [...isStanding.keys()].filter((c) => isStanding[c] === 1 && isInside(c));
+  return groupsOf(columns, members).flatMap((group) => structureOf(cloud, columns, group) ?? []);
+}
+
+function standingColumns(columns: HeightColumns, ceiling: LocalCeiling): Uint8Array {
+  const { count, hits, bins, masks, centres, binsPerMetre } = columns;
+  const isStanding = new Uint8Array(count);
+  for (let c = 0; c < count; c++) {
+    if (hits[c] < 2) continue;
+    const top = binAt(columns, ceiling.at(centres[2 * c], centres[2 * c + 1]));
+    const bottom = Math.max(0, top - Math.round(TOP_BAND * binsPerMetre));
+    let band = 0;
+    for (let bin = bottom; bin < top; bin++) if (hasBin(masks, c, bin)) band++;
+    isStanding[c] = band >= TOP_SHARE * (top - bottom) && hits[c] >= 0.3 * bins ? 1 : 0;
+  }
+  return isStanding;
+}
+
+function insideRooms({ centres }: HeightColumns, c: number, rooms: readonly Polygon[]): boolean {
+  const [x, y] = [centres[2 * c], centres[2 * c + 1]];
+  return rooms.some((room) => pointInPolygon(x, y, { ...room, holes: [] }) > 0 && distanceToRing(x, y, room.outer) > OFF_WALL);
+}
+
+/** Columns that touch, or nearly. */
+function groupsOf({ table }: HeightColumns, members: readonly number[]): number[][] {
+  const open = new Set(members);
+  const groups: number[][] = [];
+  for (const seed of members) {
+    if (!open.delete(seed)) continue;
+    const group = [seed];
+    for (let k = 0; k < group.length; k++) {
+      const [ix, iy] = table.coordinatesOf(group[k]);
+      for (let dy = -3; dy <= 3; dy++) {
+        for (let dx = -3; dx <= 3; dx++) {
+          const c = table.find(ix + dx, iy + dy, 0);
+          if (c >= 0 && open.delete(c)) group.push(c);
+        }
+      }
+    }
+    groups.push(group);
+  }
+  return groups;
+}
+
+function structureOf(cloud: PointCloud, columns: HeightColumns, group: readonly number[]): SecondaryBoundary | null {
+  if (group.length < FEWEST) return null;
+  const { masks, bins } = columns;
+  let standing = 0;
+  for (let bin = 0; bin < bins; bin++) if (group.some((c) => hasBin(masks, c, bin))) standing++;
+  if (standing < LEAST_STANDING * bins) return null;
+  const xy = pointsOf(cloud, columns, group);
+  const outline = outlineOf(xy);
+  const area = signedArea(outline);
+  if (area < SMALLEST || area > LARGEST) return null;
+  return {
+    outline: { outer: outline, holes: [] },
+    operation: 'subtract',
+    type: area <= LARGEST_COLUMN ? 'column' : 'shaft',
+    points: xy.length / 2,
+  };
+}
+
+function outlineOf(xy: Float64Array): Ring {
+  return completeShell(xy) ?? convexHull(xy);
+}
+
+function pointsOf({ positions }: PointCloud, { points, start }: HeightColumns, group: readonly number[]): Float64Array {
+  const xy: number[] = [];
+  for (const c of group) {
+    for (let k = start[c]; k < start[c + 1]; k++) xy.push(positions[3 * points[k]], positions[3 * points[k] + 1]);
+  }
+  return Float64Array.from(xy);
+}
