@@ -1,76 +1,65 @@
-import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
-import { join, resolve } from 'node:path';
-import { type SceneSpec, simulate, writePly } from '../../fixtures/simulator/index.ts';
-import {
-  columnRoomBuilding,
-  corridorBuilding,
-  homeBuilding,
-  officeBuilding,
-  roundHallBuilding,
-} from '../../fixtures/simulator/layouts.ts';
-import { MOBILE_SCAN } from '../../fixtures/simulator/scan.ts';
+import type { SceneSpec } from '../../fixtures/simulator/index.ts';
+import type { Pose } from '../../fixtures/simulator/pose.ts';
+import { type Random, seededRandom } from '../../fixtures/simulator/random.ts';
+import { DEFAULT_SCAN, MOBILE_SCAN, type ScanOptions } from '../../fixtures/simulator/scan.ts';
+import { variedBuilding } from '../../fixtures/simulator/varied-buildings.ts';
+import { RECIPES, type Recipe } from './recipes.ts';
+
+/** Keeps a scan near half a million points. */
+const MOST_RAYS = 560_000;
+
+export interface CorpusScene {
+  readonly name: string;
+  readonly spec: () => SceneSpec;
+  /** Kept back while working, so that nobody tunes to it. */
+  readonly isHeldBack: boolean;
+}
+
+/** Every recipe twice: its even seed is worked with, its odd seed is kept back. */
+export const CORPUS: readonly CorpusScene[] = Object.entries(RECIPES).flatMap(([name, recipe], i) =>
+  [100 + 2 * i, 101 + 2 * i].map((seed) => ({
+    name: `${name}-${seed}`,
+    spec: () => specOf(name, recipe, seed),
+    isHeldBack: seed % 2 === 1,
+  })),
+);
+
+function specOf(name: string, recipe: Recipe, seed: number): SceneSpec {
+  const random = seededRandom(seed, `corpus-${name}`);
+  return {
+    name: `${name}-${seed}`,
+    building: variedBuilding(name, seed, recipe.sketch, recipe.variety),
+    scan: scanOf(recipe, seed, random.fork('scan')),
+    pose: poseOf(recipe, random.fork('pose')),
+  };
+}
+
+function scanOf({ scan = {}, isMobile = false, variety }: Recipe, seed: number, random: Random): ScanOptions {
+  const storeys = variety.storeys ?? 1;
+  const { noiseMm: noise = [4, 8], voxelCm: voxel = [2.5, 4], ...rest } = scan;
+  return {
+    ...(isMobile ? MOBILE_SCAN : DEFAULT_SCAN),
+    seed,
+    noise: random.between(...noise) / 1000,
+    voxel: random.between(...voxel) / 100,
+    drift: isMobile ? 0.004 : random.pick([0, 0.002, 0.004]),
+    mostRays: Math.floor(MOST_RAYS / storeys),
+    ...rest,
+  };
+}
 
 /** Eastings and northings of Munich in zone 32: large enough to cost float32 all its centimetres. */
 const UTM_OFFSET = [691_870, 5_336_020, 519] as const;
 
-/** A small corpus: every outline, both scanners, every kind of pose. Made when first asked for. */
-export const CORPUS: readonly (() => SceneSpec)[] = [
-  () => ({ name: 'home', building: homeBuilding(101), pose: { heading: 0.14 } }),
-  () => ({
-    name: 'home-l-feet-tilted',
-    building: homeBuilding(102, { shape: 'L' }),
-    pose: { heading: -0.44, unit: 'ft', tilt: 0.035, tiltTowards: 1 },
-  }),
-  () => ({
-    name: 'home-u-utm',
-    building: homeBuilding(103, { shape: 'U' }),
-    pose: { heading: 0.3, offset: UTM_OFFSET },
-  }),
-  () => ({
-    name: 'home-t-y-up-millimetres',
-    building: homeBuilding(104, { shape: 'T' }),
-    pose: { heading: 0.2, unit: 'mm', up: 'y' },
-  }),
-  () => ({ name: 'home-skew', building: homeBuilding(105, { skew: 0.05 }) }),
-  () => ({
-    name: 'home-mobile',
-    building: homeBuilding(106, { clutter: 1.4 }),
-    scan: MOBILE_SCAN,
-    pose: { heading: 0.7 },
-  }),
-  () => ({ name: 'office', building: officeBuilding(107), scan: { noise: 0.01, voxel: 0.05 } }),
-  () => ({ name: 'round-hall', building: roundHallBuilding(108), pose: { heading: -0.13 } }),
-  () => ({ name: 'corridor', building: corridorBuilding(109), pose: { heading: 0.5 } }),
-  () => ({ name: 'column-room', building: columnRoomBuilding(110, 'round'), pose: { heading: 0.05 } }),
-  () => ({ name: 'house', building: homeBuilding(111, { storeys: 2 }), scan: { voxel: 0.05 } }),
-];
-
-const root = resolve(import.meta.dirname, '../..');
-
-/** Folder with the corpus, written anew only when the simulator or this list has changed. */
-export function corpusFolder(): string {
-  const folder = join(root, '.cache', `corpus-${sourceHash()}`);
-  if (existsSync(folder)) return folder;
-  const draft = `${folder}.draft`;
-  mkdirSync(draft, { recursive: true });
-  for (const make of CORPUS) writeScene(draft, make());
-  renameSync(draft, folder);
-  return folder;
-}
-
-function writeScene(folder: string, spec: SceneSpec): void {
-  const { name, positions, truth } = simulate(spec);
-  const isFar = positions.some((value) => Math.abs(value) > 1e5);
-  writeFileSync(join(folder, `${name}.ply`), writePly({ positions }, { type: isFar ? 'double' : 'float' }));
-  writeFileSync(join(folder, `${name}.gt.json`), JSON.stringify(truth));
-}
-
-function sourceHash(): string {
-  const simulator = join(root, 'fixtures/simulator');
-  const files = readdirSync(simulator).sort();
-  const paths = [import.meta.filename, ...files.map((file) => join(simulator, file))];
-  const hash = createHash('sha256');
-  for (const path of paths) hash.update(readFileSync(path));
-  return hash.digest('hex').slice(0, 12);
+function poseOf({ pose = {} }: Recipe, random: Random): Partial<Pose> {
+  const heading = random.chance(0.15) ? 0 : random.between(-Math.PI, Math.PI);
+  const offset = [random.between(-30, 30), random.between(-30, 30), random.between(-3, 3)] as const;
+  const { isUtm = false, tiltDeg = 0, ...rest } = pose;
+  return {
+    heading,
+    offset: isUtm ? UTM_OFFSET : offset,
+    tilt: (tiltDeg * Math.PI) / 180,
+    tiltTowards: random.between(-Math.PI, Math.PI),
+    ...rest,
+  };
 }

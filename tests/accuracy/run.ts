@@ -1,25 +1,31 @@
 /**
- * `npm run accuracy -- [DIR] [--json FILE] [--out FOLDER] [options for the command]`: plans of scenes with known truth.
+ * `npm run accuracy -- [DIR] [--held-back] [--only NAME] [--list] [--json FILE] [--out FOLDER] [options for the command]`:
+ * plans of scenes with known truth.
  *
- * DIR holds NAME.gt.json beside a scan NAME.ply, NAME.csv …; without it a small corpus is simulated.
+ * DIR holds NAME.gt.json beside a scan NAME.ply, NAME.csv …; without it the working half of the simulated corpus is run,
+ * with --held-back the other half, of which only means are told. --only takes every scene whose name has NAME in it.
  */
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import type { XY } from '../../fixtures/simulator/ring.ts';
-import type { Truth } from '../../fixtures/simulator/truth.ts';
-import { corpusFolder } from './corpus.ts';
+import type { CorpusTruth } from './classes.ts';
+import { CORPUS } from './corpus.ts';
+import { corpusFolder } from './corpus-files.ts';
 import type { PlanFile } from './facts.ts';
 import { measurePlan } from './measure.ts';
-import { meanOfScenes } from './measures.ts';
 import { drawComparison } from './picture.ts';
-import { formatTable, type SceneResult } from './table.ts';
+import { formatList, formatMeans, formatTable, meansByClass, type SceneResult } from './table.ts';
 
 const root = resolve(import.meta.dirname, '../..');
 const command = join(root, 'dist/cli.js');
 
 interface Arguments {
-  readonly folder: string;
+  /** Null for the corpus. */
+  readonly folder: string | null;
+  readonly isHeldBack: boolean;
+  readonly isList: boolean;
+  readonly only: string;
   readonly json: string | null;
   readonly out: string;
   /** Handed on to the command. */
@@ -30,12 +36,34 @@ function readArguments(words: readonly string[]): Arguments {
   const rest = words.filter((word) => word !== '--');
   const take = (flag: string): string | null => {
     const at = rest.indexOf(flag);
-    return at < 0 ? null : resolve(rest.splice(at, 2)[1]);
+    return at < 0 ? null : rest.splice(at, 2)[1];
   };
-  const json = take('--json');
-  const out = take('--out') ?? join(root, '.cache/accuracy');
+  const has = (flag: string): boolean => {
+    const at = rest.indexOf(flag);
+    return at >= 0 && rest.splice(at, 1).length > 0;
+  };
+  const [isHeldBack, isList] = [has('--held-back'), has('--list')];
+  const [only, json, out] = [take('--only') ?? '', take('--json'), take('--out')];
   const hasFolder = rest.length > 0 && !rest[0].startsWith('-');
-  return { json, out, folder: hasFolder ? resolve(rest.shift()!) : corpusFolder(), rest };
+  const folder = hasFolder ? resolve(rest.shift()!) : null;
+  const usual = join(root, isHeldBack ? '.cache/accuracy-held-back' : '.cache/accuracy');
+  return {
+    folder,
+    isHeldBack: isHeldBack && folder === null,
+    isList,
+    only,
+    json: json === null ? null : resolve(json),
+    out: out === null ? usual : resolve(out),
+    rest,
+  };
+}
+
+async function scenesOf({ folder, isHeldBack, only }: Arguments): Promise<SceneFiles[]> {
+  if (folder !== null) return scenesIn(folder).filter(({ name }) => name.includes(only));
+  const chosen = CORPUS.filter((scene) => scene.isHeldBack === isHeldBack && scene.name.includes(only));
+  const made = await corpusFolder(chosen);
+  const names = new Set(chosen.map(({ name }) => name));
+  return scenesIn(made).filter(({ name }) => names.has(name));
 }
 
 interface SceneFiles {
@@ -56,23 +84,28 @@ function scenesIn(folder: string): SceneFiles[] {
   });
 }
 
-function runScene({ name, scan, truth: truthPath }: SceneFiles, { out, rest }: Arguments): SceneResult {
+function runScene(
+  { name, scan, truth: truthPath }: SceneFiles,
+  { out, rest, isHeldBack }: Arguments,
+): SceneResult {
   const folder = join(out, name);
   rmSync(folder, { recursive: true, force: true });
   const words = [command, scan, '-o', folder, '--formats', 'geojson,slice', ...rest];
   const start = performance.now();
   const { status, stderr } = spawnSync(process.execPath, words, { encoding: 'utf8' });
   const seconds = (performance.now() - start) / 1000;
-  if (status !== 0) return { name, measures: null, seconds, problem: stderr.trim() || `exit code ${status}` };
+  const truth = readJson<CorpusTruth>(truthPath);
+  const classed = truth.scene ? { class: truth.scene.class } : {};
+  if (status !== 0)
+    return { name, ...classed, measures: null, seconds, problem: stderr.trim() || `exit code ${status}` };
   const plan = readJson<PlanFile>(join(folder, 'plan.geojson'));
-  const truth = readJson<Truth>(truthPath);
   const points = readSlice(join(folder, 'slice.csv'));
   const storeys = 'storeys' in truth ? truth.storeys.length : 1;
-  for (let storey = 0; storey < storeys; storey++) {
+  for (let storey = 0; storey < storeys && !isHeldBack; storey++) {
     const file = storeys === 1 ? `${name}.svg` : `${name}-${storey}.svg`;
     writeFileSync(join(out, file), drawComparison(plan, truth, points, storey));
   }
-  return { name, measures: measurePlan(plan, truth), seconds };
+  return { name, ...classed, measures: measurePlan(plan, truth), seconds };
 }
 
 function readJson<T>(path: string): T {
@@ -88,16 +121,30 @@ function readSlice(path: string): XY[] {
   });
 }
 
+/** Means of all scenes and of each class; scenes by name only where they are not kept back. */
+function report(results: readonly SceneResult[], { isHeldBack, out, json }: Arguments): void {
+  const means = meansByClass(results);
+  console.log(isHeldBack ? formatMeans(means) : `${formatTable(results)}\n\n${formatMeans(means)}`);
+  const failed = results.filter(({ measures }) => measures === null).length;
+  if (failed > 0) console.log(`\n${failed} scenes without a plan`);
+  if (!isHeldBack) console.log(`\npictures: ${out}`);
+  const content = isHeldBack ? { means, failed } : { scenes: results, means, failed };
+  writeFileSync(json ?? join(out, 'accuracy.json'), `${JSON.stringify(content, null, 2)}\n`);
+  if (failed > 0) process.exitCode = 1;
+}
+
 const given = readArguments(process.argv.slice(2));
 mkdirSync(given.out, { recursive: true });
-const results = scenesIn(given.folder).map((scene) => {
-  const result = runScene(scene, given);
-  process.stderr.write(`${result.name}: ${result.seconds.toFixed(1)} s\n`);
-  return result;
-});
-const mean = meanOfScenes(results.map(({ measures }) => measures));
-console.log(formatTable(results));
-console.log(`\npictures: ${given.out}`);
-const json = JSON.stringify({ scenes: results, mean }, null, 2);
-writeFileSync(given.json ?? join(given.out, 'accuracy.json'), `${json}\n`);
-if (results.some(({ measures }) => measures === null)) process.exitCode = 1;
+const scenes = await scenesOf(given);
+if (given.isList)
+  console.log(
+    formatList(scenes.map(({ name, truth }) => ({ name, facts: readJson<CorpusTruth>(truth).scene }))),
+  );
+else {
+  const results = scenes.map((scene) => {
+    const result = runScene(scene, given);
+    process.stderr.write(given.isHeldBack ? '.' : `${result.name}: ${result.seconds.toFixed(1)} s\n`);
+    return result;
+  });
+  report(results, given);
+}
