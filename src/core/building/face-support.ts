@@ -1,3 +1,4 @@
+import type { PointCloud } from '../types.ts';
 import type { Face } from './fit-line.ts';
 import { binAt, type HeightColumns, hasBin } from './height-columns.ts';
 import type { LocalCeiling } from './local-ceiling.ts';
@@ -11,6 +12,19 @@ const BESIDE = 0.4;
 /** What the rest of a wall counts where its top is not to be seen. */
 const BODY_SHARE = 0.3;
 
+/** The ceiling is looked at from so near a face, m, or past its noise … */
+const NEAR = 0.02;
+const NOISES = 1.5;
+/** … as far as this, m: less than the thinnest wall … */
+const THINNEST = 0.065;
+/** … and so long a stretch, m. */
+const LOOK = 0.4;
+/** Fewer points of a ceiling tell nothing. */
+const FEWEST = 4;
+/** A ceiling with less than the first share of its points behind a face ends there, with more than the second it goes on. */
+const ENDS = 0.35;
+const GOES_ON = 0.7;
+
 /** How far a wall stands up along a face, bit by bit. */
 export interface FaceSupport {
   /** Place along the face where the first bit begins, m. */
@@ -22,6 +36,7 @@ export interface FaceSupport {
 
 /** Reads a face's own columns, `reach` beyond its ends. O(columns of the face). */
 export function supportAlong(
+  cloud: PointCloud,
   columns: HeightColumns,
   ceiling: LocalCeiling,
   face: Face,
@@ -48,7 +63,53 @@ export function supportAlong(
     const [left, right] = [-BESIDE, BESIDE].map((aside) => ceiling.at(x + aside * face.nx, y + aside * face.ny));
     shares[k] = standingShare(columns, seen, k, Math.min(left, right));
   }
-  return { from, step: STEP, shares };
+  const parting = ceilingParting(cloud, columns, face, { from, count });
+  return { from, step: STEP, shares: shares.map((share, k) => share * parting[k]) };
+}
+
+/**
+ * Whether the ceiling ends at a face, 0 to 1 a bit: it does at a wall, while it goes on over a cupboard.
+ *
+ * Points of the ceiling just before and just behind the face are counted over half a metre along it.
+ */
+function ceilingParting(
+  { positions }: PointCloud,
+  { table, size, overPoints, overStart }: HeightColumns,
+  { nx, ny, offset, noise }: Face,
+  { from, count }: { readonly from: number; readonly count: number },
+): Float64Array {
+  const near = Math.max(NEAR, NOISES * noise);
+  const far = Math.max(THINNEST, near + 0.02);
+  const before = new Float64Array(count);
+  const behind = new Float64Array(count);
+  const visited = new Set<number>();
+  for (let k = 0; k < count; k++) {
+    const along = from + (k + 0.5) * STEP;
+    for (let across = -far; across <= far; across += size / 2) {
+      const [x, y] = [nx * (offset + across) - ny * along, ny * (offset + across) + nx * along];
+      const c = table.find(Math.floor(x / size), Math.floor(y / size), 0);
+      if (c < 0 || visited.has(c)) continue;
+      visited.add(c);
+      for (let p = overStart[c]; p < overStart[c + 1]; p++) {
+        const [px, py] = [positions[3 * overPoints[p]], positions[3 * overPoints[p] + 1]];
+        const aside = px * nx + py * ny - offset;
+        const bit = Math.floor((py * nx - px * ny - from) / STEP);
+        if (bit < 0 || bit >= count || Math.abs(aside) < near || Math.abs(aside) > far) continue;
+        if (aside > 0) before[bit]++;
+        else behind[bit]++;
+      }
+    }
+  }
+  const half = Math.round(LOOK / 2 / STEP);
+  return before.map((_, k) => {
+    let [a, b] = [0, 0];
+    for (let m = Math.max(0, k - half); m <= Math.min(count - 1, k + half); m++) {
+      a += before[m];
+      b += behind[m];
+    }
+    const [less, more] = [Math.min(a, b), Math.max(a, b)];
+    return more < FEWEST ? 1 : Math.min(1, Math.max(0, (GOES_ON - less / more) / (GOES_ON - ENDS)));
+  });
 }
 
 /** Share of the bins below a ceiling that have points, or of all, which counts less. */

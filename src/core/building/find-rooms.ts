@@ -51,7 +51,7 @@ function wallFaces(cloud: PointCloud, columns: HeightColumns): WallFaces {
     ...settleFaces(cloud, columns, straight).map((face) => ({ ...face, reach: REACH })),
     ...chordsOf(columns, curved).map((face) => ({ ...face, reach: 0 })),
   ];
-  const supports = found.map((face) => supportAlong(columns, ceiling, face, face.reach));
+  const supports = found.map((face) => supportAlong(cloud, columns, ceiling, face, face.reach));
   const isWall = (_: unknown, i: number) => found[i].reach === 0 || standsAsWall(supports[i].shares);
   return { faces: found.filter(isWall), supports: supports.filter(isWall) };
 }

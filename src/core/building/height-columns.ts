@@ -43,6 +43,9 @@ export interface HeightColumns {
   readonly points: Uint32Array;
   /** First of each column; one entry more than columns. */
   readonly start: Uint32Array;
+  /** Indices of the points that hang over the floor: on the storey's ceiling or a lowered one, column by column, likewise. */
+  readonly overPoints: Uint32Array;
+  readonly overStart: Uint32Array;
 }
 
 /** Sorts a storey's points into columns. O(n). */
@@ -92,13 +95,25 @@ export function heightColumns(cloud: PointCloud, kept: Uint32Array, heights: Sto
       topHits[c] += (masks[2 * c + (bin < WORD ? 0 : 1)] >>> (bin % WORD)) & 1;
     }
   }
-  for (let c = 0; c < count; c++) start[c + 1] += start[c];
-  const points = new Uint32Array(start[count]);
-  const next = start.slice(0, count);
+  const overhead = overheads(masks, planes, heights, { low, binsPerMetre });
+  const overStart = new Uint32Array(count + 1);
+  const isOver = (column: number, z: number) => !Number.isNaN(overhead[column]) && z > overhead[column] - OVER_REACH;
   for (let k = 0; k < kept.length; k++) {
     const column = columnOf[k];
+    if (column >= 0 && isOver(column, positions[3 * kept[k] + 2])) overStart[column + 1]++;
+  }
+  for (let c = 0; c < count; c++) start[c + 1] += start[c];
+  for (let c = 0; c < count; c++) overStart[c + 1] += overStart[c];
+  const points = new Uint32Array(start[count]);
+  const overPoints = new Uint32Array(overStart[count]);
+  const next = start.slice(0, count);
+  const overNext = overStart.slice(0, count);
+  for (let k = 0; k < kept.length; k++) {
+    const column = columnOf[k];
+    if (column < 0) continue;
     const z = positions[3 * kept[k] + 2];
-    if (column >= 0 && z >= low && z < high) points[next[column]++] = kept[k];
+    if (z >= low && z < high) points[next[column]++] = kept[k];
+    if (isOver(column, z)) overPoints[overNext[column]++] = kept[k];
   }
   return {
     size,
@@ -113,15 +128,19 @@ export function heightColumns(cloud: PointCloud, kept: Uint32Array, heights: Sto
     low,
     topBins,
     masks,
-    overhead: overheads(masks, planes, heights, { low, binsPerMetre }),
+    overhead,
     planes,
     points,
     start,
+    overPoints,
+    overStart,
   };
 }
 
 /** Lowest height of a lowered ceiling above the floor, m: door heads and most cupboards are below. */
 const LEAST_OVERHEAD = 2.3;
+/** Points within this of what hangs over a column are on it, m. */
+const OVER_REACH = 0.1;
 /** Bins below a ceiling that are empty, or a wall would be taken for one. */
 const CLEAR_BINS = 3;
 
