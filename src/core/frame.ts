@@ -42,13 +42,7 @@ export function orient(scan: Scan, options: Options, context: StageContext): Poi
   const patches = surfacePatches(scan.positions);
   context.progress(0.4);
   const gravity = findGravity(scan.positions, patches, options.up, scan.up);
-  if (gravity.isDoubtful) {
-    context.warn({
-      code: 'frame/up-guessed',
-      message: gravity.reason,
-      hint: 'If the plan shows a side view, set the up axis.',
-    });
-  }
+  warnOfDoubt(gravity, context);
   const known = statedUnit(scan, options);
   const unit = known ?? judgeUnitFrom(gravity.planes.strong, largestExtent(trimmedBounds(scan.positions)));
   warnOfGuess(unit, context);
@@ -160,6 +154,16 @@ function findTilt(
     hint: 'Switch levelling off to keep its own axes.',
   });
   return tilted;
+}
+
+function warnOfDoubt({ up, reason, doubt }: Gravity, context: StageContext): void {
+  if (!doubt) return;
+  const opposite = up.startsWith('-') ? up.slice(1) : `-${up}`;
+  const hints = {
+    axis: 'If the plan shows a side view, set the up axis.',
+    end: `If the plan is mirrored, the scan lies upside down: set the up axis to ${opposite}.`,
+  };
+  context.warn({ code: 'frame/up-guessed', message: reason, hint: hints[doubt] });
 }
 
 function warnOfGuess(unit: JudgedUnit, context: StageContext): void {
