@@ -11,6 +11,7 @@ import { bundleFiles, saveFile } from './files.ts';
 import { GivenOptions } from './given-options.ts';
 import type { Actions, Model, Stretch, Tool } from './model.ts';
 import { OpenedFiles } from './opened-files.ts';
+import { PlaceKeeper } from './place-keeper.ts';
 import { PlanMaker } from './plan-maker.ts';
 import { Shell } from './shell.ts';
 import { StepChoice } from './step-choice.ts';
@@ -38,12 +39,15 @@ const REST = 140;
 export class FloorPlanElement extends Base {
   static readonly observedAttributes = [...Object.keys(ATTRIBUTES), ...PARAM_ATTRIBUTES.keys()];
 
-  readonly #given = new GivenOptions();
+  readonly #places = new PlaceKeeper();
+  readonly #given = new GivenOptions((before, next) => this.#places.carry(before, next));
   readonly #maker = new PlanMaker({
     onChange: () => this.#invalidate(),
     onScan: () => {
       this.#storey = 0;
+      this.#places.forget();
     },
+    onView: (view) => this.#places.learn({ frame: view.plan.frame, isSlice: view.isSlice }, view.options),
     onPreview: (positions) => this.#shell?.preview(positions),
     spawnWorker: () => this.#spawnWorker,
     emit: (type, detail) => this.dispatchEvent(new CustomEvent(type, { detail })),
@@ -257,11 +261,13 @@ export class FloorPlanElement extends Base {
 
   #undo(): void {
     this.#given.undo();
+    this.#places.dismiss();
     this.#scheduleRun(0);
   }
 
   #redo(): void {
     this.#given.redo();
+    this.#places.dismiss();
     this.#scheduleRun(0);
   }
 
@@ -330,6 +336,7 @@ export class FloorPlanElement extends Base {
     const isSlice = preset === 'auto' && this.#maker.view?.options.preset === 'paper';
     return {
       ...this.#maker.facts,
+      notices: [...this.#places.notices, ...this.#maker.facts.notices],
       given: this.#given.now,
       options: resolveOptions(this.#given.now, { isSlice }),
       canUndo: this.#given.canUndo,

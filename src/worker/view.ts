@@ -28,6 +28,7 @@ export function makeView(
     solid,
     cloud,
     surroundings,
+    isSlice: result.read.isSlice,
     reasons: result.frame.reasons,
     slice,
     levels: level.levels,

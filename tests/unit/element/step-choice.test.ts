@@ -10,6 +10,7 @@ beforeEach(async () => {
   maker = new PlanMaker({
     onChange() {},
     onScan() {},
+    onView() {},
     onPreview() {},
     spawnWorker: () => null,
     emit() {},
