@@ -107,7 +107,7 @@ export const PARAMS = {
     default: 'none',
     stage: 'crop',
     label: 'Crop box',
-    doc: 'Only the points in this box are used: x0,y0,x1,y1, seen from above as in plan.geojson, and where heights count ,z0,z1; all in source units and coordinates.',
+    doc: 'Only the points in this box are used: x0,y0,x1,y1, seen from above as in plan.geojson, and where heights count ,z0,z1; all in source units and coordinates; @heading turns the box about its middle, degrees counter-clockwise.',
     source: 'ours',
   }),
   outlierNeighbours: number({

@@ -70,9 +70,9 @@ export class PlaceKeeper {
     const turn = turnBetween(ups);
     if (!box || turn === 'none') return text;
     if (turn === 'other') return this.#drop('crop', ups);
-    const { x0, x1, heights } = box;
+    const { x0, x1, heights, heading } = box;
     const [y0, y1] = mirrored(box.y0, box.y1);
-    return formatCrop({ x0, y0, x1, y1, heights: heights && mirrored(...heights) });
+    return formatCrop({ x0, y0, x1, y1, heights: heights && mirrored(...heights), heading: 0 - heading });
   }
 
   #carryDoors(text: string, ups: Ups, growth: number): string {

@@ -28,11 +28,11 @@ export interface SpotMark {
   readonly isCaught: boolean;
 }
 
-/** A box along the axes of the plan; what lies outside is veiled. */
+/** A box; what lies outside is veiled. */
 export interface BoxMark {
   readonly kind: 'box';
-  readonly low: Place;
-  readonly high: Place;
+  /** All the way round. */
+  readonly corners: readonly Place[];
   /** Places a hand takes it by. */
   readonly handles: readonly Place[];
 }
@@ -122,8 +122,7 @@ function lengthShapes(from: Pixel, to: Pixel, words: string): SVGElement[] {
   ];
 }
 
-function boxShapes({ low, high, handles }: BoxMark, place: (at: Place) => Pixel): SVGElement[] {
-  const corners = [low, [high[0], low[1]], high, [low[0], high[1]]] as const;
+function boxShapes({ corners, handles }: BoxMark, place: (at: Place) => Pixel): SVGElement[] {
   const ring = `M${corners.map((corner) => pair(...place(corner))).join('L')}Z`;
   const veil = `M${-FAR},${-FAR}H${FAR}V${FAR}H${-FAR}Z${ring}`;
   return [

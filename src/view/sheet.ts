@@ -25,6 +25,8 @@ export interface SheetPlace {
   readonly at: readonly [x: number, y: number];
   /** What a hand misses by, m. */
   readonly reach: number;
+  /** Of the plan on its sheet, radians, counter-clockwise. */
+  readonly turn: number;
 }
 
 /** What a pointer does to the plan while it is held. */
@@ -293,6 +295,7 @@ export class SheetView {
     return {
       at: this.#planAt(clientX - left, clientY - top),
       reach: reach / (zoom * Math.hypot(planToSheet[0], planToSheet[1])),
+      turn: Math.atan2(-planToSheet[1], planToSheet[0]),
     };
   }
 }

@@ -61,6 +61,11 @@ describe('another axis up', () => {
     expect(keeper.notices).toEqual([]);
   });
 
+  it('mirrors the heading of a box', () => {
+    const carried = keeperOf('z').carry({ crop: '1,2,4,3@10' }, { crop: '1,2,4,3@10', up: '-z' });
+    expect(carried.crop).toBe('1,-3,4,-2@-10');
+  });
+
   it('drops them, says so, and undo brings them back', () => {
     const keeper = keeperOf('z');
     const given = new GivenOptions((before, next) => keeper.carry(before, next));
