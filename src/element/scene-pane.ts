@@ -18,7 +18,8 @@ export class ScenePane {
   #scene: SceneView | null = null;
   #opening: Promise<SceneView | null> | null = null;
   #shown: PlanView | null = null;
-  #name: string | null = null;
+  /** The scan, what is up and how large it is: where one has changed, the camera stands anew. */
+  #subject: string | null = null;
   /** Counts connections: a scene that opens after the element has left is thrown away. */
   #life = 0;
 
@@ -66,8 +67,10 @@ export class ScenePane {
     this.#shown = view;
     const scene = await this.#open();
     if (!scene || view !== this.#shown) return;
-    const isNew = name !== this.#name;
-    this.#name = name;
+    const { up, metresPerUnit } = view.plan.frame;
+    const subject = JSON.stringify([name, up, metresPerUnit]);
+    const isNew = subject !== this.#subject;
+    this.#subject = subject;
     scene.show(contentOf(view), isNew);
     scene.showLayers(this.#layers);
   }
