@@ -1,5 +1,5 @@
 import { FloorPlanError } from '../../core/errors.ts';
-import { joinBytes } from './byte-cursor.ts';
+import { firstBytes } from './byte-cursor.ts';
 import type { ByteSource } from './source.ts';
 
 /** Asked for first: enough for any header, and it shows whether the server knows ranges. */
@@ -34,7 +34,7 @@ export function urlSource(url: string, signal?: AbortSignal): ByteSource {
       isSequential = !hasRanges && head.length === PROBE_BYTES;
       if (end <= head.length || head.length < PROBE_BYTES) return head.subarray(begin, end);
       if (hasRanges) return readRange(request, begin, end);
-      return (await firstBytes(request, await get(request), end)).subarray(begin, end);
+      return (await firstBytes(streamOf(request), end)).subarray(begin, end);
     },
   };
 }
@@ -48,7 +48,7 @@ interface Probe {
 
 async function probe(request: UrlRequest): Promise<Probe> {
   const response = await openProbe(request);
-  const head = await firstBytes(request, response, PROBE_BYTES);
+  const head = await firstBytes(bodyOf(request, response), PROBE_BYTES);
   return { head, hasRanges: response.status === 206, size: sizeOf(response) };
 }
 
@@ -113,20 +113,8 @@ async function* bodyOf(request: UrlRequest, response: Response): AsyncGenerator<
 
 async function readRange(request: UrlRequest, begin: number, end: number): Promise<Uint8Array> {
   const response = await get(request, `bytes=${begin}-${end - 1}`);
-  if (response.status === 206) return firstBytes(request, response, end - begin);
-  return (await firstBytes(request, response, end)).subarray(begin, end);
-}
-
-/** The first `length` bytes of a body, or all where it is shorter; the rest is not fetched. */
-async function firstBytes(request: UrlRequest, response: Response, length: number): Promise<Uint8Array> {
-  const pieces: Uint8Array[] = [];
-  let total = 0;
-  for await (const piece of bodyOf(request, response)) {
-    pieces.push(piece);
-    total += piece.length;
-    if (total >= length) break;
-  }
-  return joinBytes(pieces, total).subarray(0, length);
+  if (response.status === 206) return firstBytes(bodyOf(request, response), end - begin);
+  return (await firstBytes(bodyOf(request, response), end)).subarray(begin, end);
 }
 
 /** Undefined unless the length surely counts the decoded bytes: a wrong size would make a whole file look cut off. */
