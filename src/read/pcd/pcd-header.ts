@@ -3,7 +3,7 @@ import type { Vec3 } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { NumberType } from '../records.ts';
 import { latin1 } from '../signatures.ts';
-import { LINE_FEED } from '../text/line-blocks.ts';
+import { LINE_FEED } from '../text/characters.ts';
 
 const ENCODINGS = ['ascii', 'binary', 'binary_compressed'] as const;
 

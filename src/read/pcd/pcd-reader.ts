@@ -5,7 +5,7 @@ import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
 import { columnsOfFields } from '../field-names.ts';
 import { BLUE, type ColourRange, PointBuffer, RED, Z } from '../point-buffer.ts';
 import { decodeRecords, type RecordField, readRecords } from '../records.ts';
-import { BLANK } from '../text/row-parser.ts';
+import { BLANK } from '../text/characters.ts';
 import { type PackedColour, readTextPoints } from '../text/text-points.ts';
 import { inflateLzf, mostInflated } from './lzf.ts';
 import { type PcdField, type PcdHeader, readPcdHeader } from './pcd-header.ts';

@@ -2,14 +2,12 @@ import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { MeshBuilder } from '../mesh/mesh.ts';
 import { NUMBER_READERS } from '../records.ts';
-import { CARRIAGE_RETURN, LINE_FEED } from '../text/line-blocks.ts';
+import { isBlankOrEnd, skipBlanks } from '../text/characters.ts';
 import { NumberScanner } from '../text/scan-number.ts';
 import { NUMBER_TYPE_OF, type PlyElement, type PlyProperty, type PlyType, valueBytes } from './ply-header.ts';
 
 /** A face with more corners, or any list with more items, is a sign of damage. */
 const MOST_ITEMS = 1 << 16;
-const BLANK = 32;
-const TAB = 9;
 
 export interface FaceStream {
   readonly cursor: ByteCursor;
@@ -159,9 +157,9 @@ class FaceRow {
   /** Moves past the next field; returns where it began. */
   skip(): number {
     const { bytes } = this.#face;
-    while (isBlank(bytes[this.#at])) this.#at++;
-    const begin = this.#at;
-    while (!isBlank(bytes[this.#at]) && !isLineEnd(bytes[this.#at])) this.#at++;
+    const begin = skipBlanks(bytes, this.#at);
+    this.#at = begin;
+    while (!isBlankOrEnd(bytes[this.#at])) this.#at++;
     return begin;
   }
 
@@ -169,14 +167,6 @@ class FaceRow {
     const { name, line } = this.#face;
     return malformed(`${name}: expected ${expected} in line ${line}, found ${found}`, { line });
   }
-}
-
-function isBlank(byte: number): boolean {
-  return byte === BLANK || byte === TAB;
-}
-
-function isLineEnd(byte: number): boolean {
-  return byte === LINE_FEED || byte === CARRIAGE_RETURN;
 }
 
 function malformed(message: string, detail: Readonly<Record<string, number>>): FloorPlanError {

@@ -2,7 +2,7 @@ import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import { NUMBER_BYTES, type NumberType } from '../records.ts';
 import { latin1 } from '../signatures.ts';
-import { CARRIAGE_RETURN, LINE_FEED } from '../text/line-blocks.ts';
+import { CARRIAGE_RETURN, LINE_FEED } from '../text/characters.ts';
 
 /** What PLY calls its types. */
 export const NUMBER_TYPE_OF = {

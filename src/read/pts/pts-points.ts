@@ -3,7 +3,8 @@ import type { ByteSource } from '../bytes/source.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
 import { PointBuffer } from '../point-buffer.ts';
 import { latin1 } from '../signatures.ts';
-import { CARRIAGE_RETURN, LINE_FEED, lineBlocks } from '../text/line-blocks.ts';
+import { lineEnd } from '../text/characters.ts';
+import { lineBlocks } from '../text/line-blocks.ts';
 import { type RowLayout, RowParser } from '../text/row-parser.ts';
 import { tooFewRows } from '../text/text-points.ts';
 import { IntensityScale } from './intensity-scale.ts';
@@ -53,9 +54,7 @@ interface ScanRows {
 
 /** Reads a line with the next scan's number of points; where there is a row instead, all that follow are points. */
 function beginScan(scan: ScanRows, bytes: Uint8Array, begin: number, parser: RowParser): number {
-  let end = begin;
-  while (bytes[end] !== LINE_FEED && bytes[end] !== CARRIAGE_RETURN) end++;
-  const text = latin1(bytes.subarray(begin, end)).trim();
+  const text = latin1(bytes.subarray(begin, lineEnd(bytes, begin))).trim();
   if (!/^\d+$/.test(text)) {
     scan.left = Number.POSITIVE_INFINITY;
     return begin;

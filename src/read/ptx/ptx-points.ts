@@ -4,8 +4,9 @@ import type { ByteSource } from '../bytes/source.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
 import { BLUE, CHUNK_POINTS, INTENSITY, PointBuffer, RED, X, Z } from '../point-buffer.ts';
 import { applyPose, MOST_STATIONS } from '../pose.ts';
+import { BLANK, skipBlanks } from '../text/characters.ts';
 import { lineBlocks } from '../text/line-blocks.ts';
-import { BLANK, type RowLayout, RowParser, TAB } from '../text/row-parser.ts';
+import { type RowLayout, RowParser } from '../text/row-parser.ts';
 import { NumberScanner } from '../text/scan-number.ts';
 import { tooFewRows } from '../text/text-points.ts';
 import { HEADER_LINES, PtxFault, type PtxHeader, parsePtxHeader } from './ptx-header.ts';
@@ -153,12 +154,6 @@ function layoutOf(columns: number): RowLayout {
   if (columns >= 7) return { separator: BLANK, targets: Int8Array.of(...place, INTENSITY, ...COLOURS) };
   if (columns === 6) return { separator: BLANK, targets: Int8Array.of(...place, ...COLOURS) };
   return { separator: BLANK, targets: Int8Array.from(columns > 3 ? [...place, INTENSITY] : place) };
-}
-
-function skipBlanks(bytes: Uint8Array, begin: number): number {
-  let at = begin;
-  while (bytes[at] === BLANK || bytes[at] === TAB) at++;
-  return at;
 }
 
 function malformedHeader(name: string, { line, expected }: PtxFault, first: number, found: string) {
