@@ -1,4 +1,5 @@
 import type { ByteCursor } from './bytes/byte-cursor.ts';
+import { viewOf } from './bytes/view-of.ts';
 import type { PointChunk } from './cloud-reader.ts';
 import type { FieldColumn, PointBuffer } from './point-buffer.ts';
 
@@ -93,7 +94,7 @@ function decodeRun(
   { fields, stride, isLittleEndian }: RecordLayout,
   buffer: PointBuffer,
 ): void {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const view = viewOf(bytes);
   for (const { field, type, offset, scale = 1, shift = 0, mask, stride: own = stride } of fields) {
     const column = buffer.column(field);
     if (!column) continue;

@@ -1,4 +1,5 @@
 import { FloorPlanError } from '../../core/errors.ts';
+import { viewOf } from '../bytes/view-of.ts';
 import { type LasHeader, malformed } from './las-header.ts';
 import { FIRST_EXTENDED } from './point-formats.ts';
 import type { VariableRecord } from './variable-records.ts';
@@ -61,7 +62,7 @@ export function readLaszipRecord(
       { hint: 'The file seems damaged; copy or export it again.' },
     );
   }
-  const view = new DataView(record.bytes.buffer, record.bytes.byteOffset, record.bytes.length);
+  const view = viewOf(record.bytes);
   const compressor = view.getUint16(0, true);
   const items = itemsOf(view);
   const expected = FORMAT_ITEMS[format];

@@ -1,3 +1,4 @@
+import { viewOf } from '../bytes/view-of.ts';
 import { malformed } from './las-header.ts';
 import type { LaszipRecord } from './laszip-record.ts';
 import { POINT_FORMATS } from './point-formats.ts';
@@ -46,8 +47,8 @@ export function writeWantedLayers(
   { name, recordBytes, layers, expected, firstBytes }: WantedLayers & { name: string; recordBytes: number },
   to: Uint8Array,
 ): void {
-  const from = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
-  const into = new DataView(to.buffer, to.byteOffset, to.length);
+  const from = viewOf(bytes);
+  const into = viewOf(to);
   const sizesAt = recordBytes + 4;
   let source = sizesAt + 4 * layers;
   if (source > bytes.length)

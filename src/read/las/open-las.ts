@@ -2,9 +2,10 @@ import type { Warning } from '../../core/types.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { tooFewBytes } from '../cut-off.ts';
 import { PointBuffer } from '../point-buffer.ts';
 import { type RecordLayout, readRecords } from '../records.ts';
-import { cutOff, type LasHeader, readLasHeader } from './las-header.ts';
+import { type LasHeader, readLasHeader } from './las-header.ts';
 import { type Place, placeOf } from './place.ts';
 import { recordLayout } from './point-formats.ts';
 import { readVariableRecords, type VariableRecord } from './variable-records.ts';
@@ -33,7 +34,7 @@ export async function openLas(source: ByteSource): Promise<OpenCloud> {
   const { count, pointsBegin, recordBytes } = file.header;
   const needed = pointsBegin + count * recordBytes;
   if (source.size !== undefined && needed > source.size)
-    throw cutOff(source.name, { count, needed, size: source.size });
+    throw tooFewBytes(source.name, { count, needed }, source.size);
   return lasCloud(file, (progress) => readPoints(file, progress));
 }
 
@@ -71,8 +72,8 @@ async function* readPoints(file: LasFile, progress: ReadProgress): AsyncGenerato
   const cursor = new ByteCursor(source.stream(), progress);
   const buffer = bufferFor(layout);
   const truncated = () => {
-    const size = cursor.offset + cursor.available;
-    return cutOff(source.name, { count, needed: pointsBegin + count * recordBytes, size });
+    const end = cursor.offset + cursor.available;
+    return tooFewBytes(source.name, { count, needed: pointsBegin + count * recordBytes }, end);
   };
   let kept = 0;
   try {

@@ -1,6 +1,7 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import type { Warning } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { viewOf } from '../bytes/view-of.ts';
 import type { OpenCloud, ReadProgress } from '../cloud-reader.ts';
 import { NUMBER_BYTES, NUMBER_READERS, type NumberType } from '../records.ts';
 import { GltfBytes, type GltfFile, readGltfText } from './gltf-bytes.ts';
@@ -208,7 +209,7 @@ function readBlock(
   into: Float64Array,
 ): void {
   const block = bytes.of(range);
-  const view = new DataView(block.buffer, block.byteOffset, block.byteLength);
+  const view = viewOf(block);
   const size = NUMBER_BYTES[type];
   const read = NUMBER_READERS[type];
   for (let i = 0; i < count; i++) {

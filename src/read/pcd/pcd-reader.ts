@@ -1,7 +1,10 @@
+import { countOf } from '../../core/count-words.ts';
 import { FloorPlanError } from '../../core/errors.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { viewOf } from '../bytes/view-of.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { tooFewBytes } from '../cut-off.ts';
 import { columnsOfFields } from '../field-names.ts';
 import { BLUE, type ColourRange, PointBuffer, RED, Z } from '../point-buffer.ts';
 import { decodeRecords, type RecordField, readRecords } from '../records.ts';
@@ -163,7 +166,7 @@ async function inflateBody(pcd: Pcd, progress: ReadProgress): Promise<Uint8Array
   try {
     if (!(await cursor.skip(header.bodyBegin)) || !(await cursor.fill(SIZES_BYTES)))
       throw cutOff(pcd, cursor);
-    const view = new DataView(cursor.bytes.buffer, cursor.bytes.byteOffset + cursor.position);
+    const view = viewOf(cursor.bytes, cursor.position);
     const [packedBytes, bytes] = [view.getUint32(0, true), view.getUint32(4, true)];
     cursor.position += SIZES_BYTES;
     assertSizes(pcd, packedBytes, bytes);
@@ -172,7 +175,7 @@ async function inflateBody(pcd: Pcd, progress: ReadProgress): Promise<Uint8Array
     if (written === bytes) return body;
     throw malformedBody(
       pcd,
-      `LZF data of ${bytes} bytes (${header.points} points of ${stride})`,
+      `LZF data of ${bytes} bytes (${countOf(header.points, 'point')} of ${stride})`,
       `${written} good bytes`,
     );
   } finally {
@@ -183,7 +186,7 @@ async function inflateBody(pcd: Pcd, progress: ReadProgress): Promise<Uint8Array
 function assertSizes(pcd: Pcd, packedBytes: number, bytes: number): void {
   const { source, header, stride } = pcd;
   if (bytes !== header.points * stride) {
-    const expected = `${header.points * stride} bytes in the compressed body, ${header.points} points of ${stride}`;
+    const expected = `${header.points * stride} bytes in the compressed body, ${countOf(header.points, 'point')} of ${stride}`;
     throw malformedBody(pcd, expected, `${bytes}`);
   }
   if (bytes > mostInflated(packedBytes)) {
@@ -194,7 +197,8 @@ function assertSizes(pcd: Pcd, packedBytes: number, bytes: number): void {
     );
   }
   const needed = header.bodyBegin + SIZES_BYTES + packedBytes;
-  if (source.size !== undefined && needed > source.size) throw tooShort(pcd, needed, source.size);
+  if (source.size !== undefined && needed > source.size)
+    throw tooFewBytes(source.name, { count: header.points, needed }, source.size);
 }
 
 function allocate(name: string, bytes: number): Uint8Array {
@@ -230,7 +234,8 @@ function assertPoints(pcd: Pcd): void {
   const values = fields.reduce((sum, { count }) => sum + count, 0);
   const least = { ascii: 2 * values * points - 1, binary: stride * points, binary_compressed: SIZES_BYTES };
   const needed = header.bodyBegin + least[encoding];
-  if (source.size !== undefined && needed > source.size) throw tooShort(pcd, needed, source.size);
+  if (source.size !== undefined && needed > source.size)
+    throw tooFewBytes(source.name, { count: points, needed }, source.size);
   const inflated = stride * points;
   if (encoding === 'binary_compressed' && inflated > MOST_INFLATED_BYTES)
     throw tooLarge(source.name, inflated);
@@ -256,18 +261,6 @@ function malformedBody({ source, header }: Pcd, expected: string, found: string)
   );
 }
 
-function cutOff(pcd: Pcd, cursor: ByteCursor): FloorPlanError {
-  return tooShort(pcd, undefined, cursor.offset + cursor.available);
-}
-
-function tooShort({ source, header }: Pcd, needed: number | undefined, offset: number): FloorPlanError {
-  const least = needed === undefined ? '' : `, at least ${needed} bytes`;
-  return new FloorPlanError(
-    'input/truncated',
-    `${source.name}: expected ${header.points} points as the header says${least}; found the end of the file at byte ${offset}`,
-    {
-      hint: 'The file seems cut off; copy or export it again.',
-      detail: { offset, announced: header.points, ...(needed !== undefined && { needed }) },
-    },
-  );
+function cutOff({ source, header }: Pcd, cursor: ByteCursor): FloorPlanError {
+  return tooFewBytes(source.name, { count: header.points }, cursor.offset + cursor.available);
 }

@@ -1,8 +1,9 @@
-import { countOf } from '../../core/count-words.ts';
-import { FloorPlanError } from '../../core/errors.ts';
+import type { FloorPlanError } from '../../core/errors.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { viewOf } from '../bytes/view-of.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { tooFewBytes } from '../cut-off.ts';
 import { type ColourRange, PointBuffer } from '../point-buffer.ts';
 import { NUMBER_READERS, type RecordField, type RecordStream, readRecords } from '../records.ts';
 import { NUMBER_TYPE_OF, type PlyElement, type PlyProperty, type PlyType, valueBytes } from './ply-header.ts';
@@ -120,8 +121,7 @@ async function skipList(decoder: PlyDecoder, { type }: PlyProperty, countType: P
 
 /** The cursor holds the value. */
 function takeValue({ cursor, body }: PlyDecoder, type: PlyType): number {
-  const { bytes, position } = cursor;
-  const view = new DataView(bytes.buffer, bytes.byteOffset + position);
+  const view = viewOf(cursor.bytes, cursor.position);
   cursor.position += valueBytes(type);
   return NUMBER_READERS[NUMBER_TYPE_OF[type]](view, 0, body.isLittleEndian);
 }
@@ -135,10 +135,5 @@ async function skipBytes(decoder: PlyDecoder, length: number): Promise<void> {
 }
 
 function truncated({ cursor, vertex, name }: PlyDecoder): FloorPlanError {
-  const offset = cursor.offset + cursor.available;
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${countOf(vertex.count, 'point')} as the header says, found the end of the file at byte ${offset}`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { offset, announced: vertex.count } },
-  );
+  return tooFewBytes(name, { count: vertex.count }, cursor.offset + cursor.available);
 }

@@ -1,5 +1,7 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteCursor } from '../bytes/byte-cursor.ts';
+import { viewOf } from '../bytes/view-of.ts';
+import { tooFewBytes } from '../cut-off.ts';
 import type { MeshBuilder } from '../mesh/mesh.ts';
 import { NUMBER_READERS } from '../records.ts';
 import { isBlankOrEnd, skipBlanks } from '../text/characters.ts';
@@ -21,7 +23,7 @@ export interface FaceStream {
 /** Binary faces, one after the other. */
 export class FaceRecords {
   readonly #stream: FaceStream;
-  #view = new DataView(new ArrayBuffer(0));
+  #view: DataView = viewOf(new Uint8Array(0));
   #viewed: Uint8Array | undefined;
   #face = 0;
   readonly #corners: number[] = [];
@@ -76,7 +78,7 @@ export class FaceRecords {
     const { bytes } = this.#stream.cursor;
     if (bytes !== this.#viewed) {
       this.#viewed = bytes;
-      this.#view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+      this.#view = viewOf(bytes);
     }
     return NUMBER_READERS[NUMBER_TYPE_OF[type]](this.#view, position, this.#stream.isLittleEndian);
   }
@@ -84,15 +86,7 @@ export class FaceRecords {
   async #need(bytes: number): Promise<void> {
     const { cursor, faces, name } = this.#stream;
     if (await cursor.fill(bytes)) return;
-    const offset = cursor.offset + cursor.available;
-    throw new FloorPlanError(
-      'input/truncated',
-      `${name}: expected ${faces.count} faces as the header says, found the end of the file at byte ${offset}`,
-      {
-        hint: 'The file seems cut off; copy or export it again.',
-        detail: { offset, announced: faces.count },
-      },
-    );
+    throw tooFewBytes(name, { count: faces.count, what: 'face' }, cursor.offset + cursor.available);
   }
 
   #malformed(expected: string, found: number): FloorPlanError {

@@ -1,7 +1,7 @@
-import { FloorPlanError } from '../../core/errors.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, ReadProgress } from '../cloud-reader.ts';
+import { tooFewRows } from '../cut-off.ts';
 import { canHoldMesh, type Mesh, MeshBuilder } from '../mesh/mesh.ts';
 import { meshCloud } from '../mesh/mesh-cloud.ts';
 import { PointBuffer } from '../point-buffer.ts';
@@ -91,15 +91,9 @@ async function readTextMesh(file: PlyMeshFile, progress: ReadProgress): Promise<
       at = parser.seek(bytes, at);
     }
   }
-  if (element < elements.length) throw tooFewRows(source.name, elements[element], left);
+  if (element < elements.length) {
+    const { name, count } = elements[element];
+    throw tooFewRows(source.name, count, count - left, name.slice(0, 20));
+  }
   return builder.build();
-}
-
-function tooFewRows(name: string, { name: element, count }: PlyElement, left: number): FloorPlanError {
-  const found = count - left;
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${count} rows of ${element.slice(0, 20)} as the header says, found ${found} before the end of the file`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { announced: count, found } },
-  );
 }

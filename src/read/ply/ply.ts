@@ -3,6 +3,7 @@ import { FloorPlanError } from '../../core/errors.ts';
 import type { Warning } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, ReadFormat } from '../cloud-reader.ts';
+import { tooFewBytes } from '../cut-off.ts';
 import { columnsOfFields } from '../field-names.ts';
 import { type ColourRange, RED, Z } from '../point-buffer.ts';
 import { latin1 } from '../signatures.ts';
@@ -70,7 +71,7 @@ async function openPly(source: ByteSource): Promise<OpenCloud> {
 function tooManyFaces({ count }: PlyElement): Warning {
   return {
     code: 'read/mesh-vertices-only',
-    message: `The mesh of ${count} faces is too large to be held; its vertices were taken as points.`,
+    message: `The mesh of ${countOf(count, 'face')} is too large to be held; its vertices were taken as points.`,
     hint: 'If walls show gaps, simplify the mesh.',
   };
 }
@@ -128,14 +129,7 @@ function assertLongEnough(
   if (header.format === 'ascii') needed -= 1;
   if (needed <= size) return;
   const { count, name: what } = elements[elements.length - 1];
-  throw new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${countOf(count, what === 'vertex' ? 'point' : 'face')} as the header says, at least ${needed} bytes; found the end of the file at byte ${size}`,
-    {
-      hint: 'The file seems cut off; copy or export it again.',
-      detail: { offset: size, needed, announced: count },
-    },
-  );
+  throw tooFewBytes(name, { count, what: what === 'vertex' ? 'point' : 'face', needed }, size);
 }
 
 /** A text value takes a digit and a blank, a list its length. */

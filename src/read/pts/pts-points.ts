@@ -1,12 +1,13 @@
+import { countOf } from '../../core/count-words.ts';
 import type { Warning } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { tooFewRows } from '../cut-off.ts';
 import { PointBuffer } from '../point-buffer.ts';
 import { latin1 } from '../signatures.ts';
 import { lineEnd } from '../text/characters.ts';
 import { lineBlocks } from '../text/line-blocks.ts';
 import { type RowLayout, RowParser } from '../text/row-parser.ts';
-import { tooFewRows } from '../text/text-points.ts';
 import { IntensityScale } from './intensity-scale.ts';
 
 export interface PtsPoints {
@@ -67,7 +68,7 @@ function beginScan(scan: ScanRows, bytes: Uint8Array, begin: number, parser: Row
 function moreThanAnnounced({ announced }: ScanRows, { line }: RowParser): Warning {
   return {
     code: 'read/more-than-announced',
-    message: `The file announces ${announced} points in a scan but has more, from line ${line} on; all were read.`,
+    message: `The file announces ${countOf(announced, 'point')} in a scan but has more, from line ${line} on; all were read.`,
     hint: 'If the plan looks wrong, export the cloud again.',
   };
 }

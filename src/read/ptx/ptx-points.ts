@@ -2,13 +2,13 @@ import { FloorPlanError } from '../../core/errors.ts';
 import type { Vec3 } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { cutOff, tooFewRows } from '../cut-off.ts';
 import { BLUE, CHUNK_POINTS, INTENSITY, PointBuffer, RED, X, Z } from '../point-buffer.ts';
 import { applyPose, MOST_STATIONS } from '../pose.ts';
 import { BLANK, skipBlanks } from '../text/characters.ts';
 import { lineBlocks } from '../text/line-blocks.ts';
 import { type RowLayout, RowParser } from '../text/row-parser.ts';
 import { NumberScanner } from '../text/scan-number.ts';
-import { tooFewRows } from '../text/text-points.ts';
 import { HEADER_LINES, PtxFault, type PtxHeader, parsePtxHeader } from './ptx-header.ts';
 
 const ZERO = 48;
@@ -169,11 +169,8 @@ function malformedHeader(name: string, { line, expected }: PtxFault, first: numb
 }
 
 function headerCut(name: string, line: number) {
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${HEADER_LINES} lines of a PTX header, found the end of the file before line ${line}`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { line } },
-  );
+  const found = `the end of the file before line ${line}`;
+  return cutOff(name, `${HEADER_LINES} lines of a PTX header`, found, { line });
 }
 
 function tooManyScans(name: string) {

@@ -1,4 +1,5 @@
 import { FloorPlanError } from '../../core/errors.ts';
+import { cutOff } from '../cut-off.ts';
 import { FIELDS } from '../point-buffer.ts';
 import { BLANK, COMMA, isBlankOrEnd, isLineEnd, lineEnd, nextLine, skipBlanks } from './characters.ts';
 import { NumberScanner, parseNumber } from './scan-number.ts';
@@ -155,14 +156,13 @@ export class RowParser {
   }
 
   #tooShort(column: number, isCut: boolean): FloorPlanError {
-    const expected = this.#targets.length;
-    return new FloorPlanError(
-      isCut ? 'input/truncated' : 'input/malformed',
-      `${this.#name}: expected ${expected} columns in line ${this.line}, found ${column}`,
-      {
-        hint: isCut ? 'The file seems cut off; copy it again.' : 'Check that every row has the same columns.',
-        detail: { line: this.line, column },
-      },
-    );
+    const expected = `${this.#targets.length} columns in line ${this.line}`;
+    const detail = { line: this.line, column };
+    if (isCut) return cutOff(this.#name, expected, `${column}`, detail);
+    const message = `${this.#name}: expected ${expected}, found ${column}`;
+    return new FloorPlanError('input/malformed', message, {
+      hint: 'Check that every row has the same columns.',
+      detail,
+    });
   }
 }

@@ -1,7 +1,6 @@
-import { countOf } from '../../core/count-words.ts';
-import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { tooFewRows } from '../cut-off.ts';
 import { BLUE, type ColourRange, PointBuffer, RED } from '../point-buffer.ts';
 import { lineBlocks } from './line-blocks.ts';
 import { type RowLayout, RowParser } from './row-parser.ts';
@@ -77,12 +76,4 @@ function colourUnpacker(packed: PackedColour): (values: Float64Array) => void {
     values[RED + 1] = (bits[0] >>> 8) & 255;
     values[BLUE] = bits[0] & 255;
   };
-}
-
-export function tooFewRows(name: string, announced: number, found: number): FloorPlanError {
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${countOf(announced, 'point')} as the header says, found ${found} before the end of the file`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { announced, found } },
-  );
 }
