@@ -45,8 +45,9 @@ export function meshCloud({ source, unit, up, warnings = [], load }: MeshSource)
     ...(up && { up }),
     warnings,
     async *chunks(progress, spacing, budget = Infinity) {
+      const isFirst = loading === undefined;
       loading ??= load(progress).then((mesh) => loaded(source.name, mesh));
-      yield* samplesOf(await loading, { source, warnings, progress, spacing, budget });
+      yield* samplesOf(await loading, { source, warnings, progress, isFirst, spacing, budget });
     },
   };
 }
@@ -60,6 +61,8 @@ interface Sampling {
   readonly source: ByteSource;
   readonly warnings: Warning[];
   readonly progress: ReadProgress;
+  /** Whether the bytes were read for it. */
+  readonly isFirst: boolean;
   /** 0: a rough whole. */
   readonly spacing: number;
   /** Points kept at most. */
@@ -67,12 +70,15 @@ interface Sampling {
 }
 
 async function* samplesOf({ mesh, size }: LoadedMesh, sampling: Sampling): AsyncGenerator<PointChunk> {
-  const { source, progress, spacing } = sampling;
+  const { source, progress, isFirst, spacing } = sampling;
   const step = stepOf(size, sampling);
   if (spacing > 0) sampling.warnings.splice(0, Infinity, ...warningsOf(sampling, size, step));
   let chunks = 0;
+  let points = 0;
   for (const chunk of sampleMesh(mesh, { step, isEveryTriangleSeen: spacing > 0 })) {
-    if (source.size !== undefined) progress(source.size);
+    points += chunk.count;
+    const share = isFirst ? 1 : Math.min(1, (points * step ** 2) / size.area);
+    if (source.size !== undefined) progress(share * source.size);
     yield chunk;
     if (++chunks % CHUNKS_A_TURN === 0) await source.slice(0, 1);
   }
