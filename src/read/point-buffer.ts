@@ -11,7 +11,7 @@ export const Z = 2;
 export const RED = 3;
 export const BLUE = 5;
 export const INTENSITY = 6;
-const CLASSIFICATION = 7;
+export const CLASSIFICATION = 7;
 
 /** What full colour is in the source; `auto` looks at the first points. */
 export type ColourRange = 'unit' | 'byte' | 'short' | 'auto';
@@ -118,6 +118,11 @@ export class PointBuffer {
       colour[i] = Math.min(255, Math.max(0, value));
     }
   }
+}
+
+/** A buffer for what records hold. */
+export function bufferFor(fields: readonly { readonly field: number }[], range?: ColourRange): PointBuffer {
+  return new PointBuffer((number) => fields.some(({ field }) => field === number), range);
 }
 
 /** Factor to 0 … 255. Floats go to 1 or, in some files, to 255: the largest of the first chunk that is not black tells. */

@@ -1,12 +1,12 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import type { PointChunk } from '../cloud-reader.ts';
-import type { PointBuffer } from '../point-buffer.ts';
+import { bufferFor, type PointBuffer } from '../point-buffer.ts';
 import { decodeRecords, type RecordLayout } from '../records.ts';
 import { type LasHeader, malformed } from './las-header.ts';
 import type { LaszipRecord } from './laszip-record.ts';
 import { type LazChunk, wantedLayers, writeWantedLayers } from './laz-layers.ts';
 import { createLazModule, type LazModule } from './laz-module.ts';
-import { bufferFor, type LasFile, type ReadCount } from './open-las.ts';
+import type { LasFile, ReadCount } from './open-las.ts';
 import { FIRST_EXTENDED, POINT_FORMATS } from './point-formats.ts';
 
 /** Points decompressed at once: their records stay in the processor's cache. */
@@ -45,7 +45,7 @@ export class LazDecoder {
     this.#header = header;
     this.#laszip = laszip;
     this.#records = module.allocate(RUN_POINTS * stride);
-    this.buffer = bufferFor(layout);
+    this.buffer = bufferFor(layout.fields);
   }
 
   /** @throws environment/wasm, where WebAssembly may not be used */

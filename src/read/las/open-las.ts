@@ -3,7 +3,7 @@ import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
 import { tooFewBytes } from '../cut-off.ts';
-import { PointBuffer } from '../point-buffer.ts';
+import { bufferFor } from '../point-buffer.ts';
 import { type RecordLayout, readRecords } from '../records.ts';
 import { type LasHeader, readLasHeader } from './las-header.ts';
 import { type Place, placeOf } from './place.ts';
@@ -70,7 +70,7 @@ async function* readPoints(file: LasFile, progress: ReadProgress): AsyncGenerato
   const { source, header, layout } = file;
   const { count, pointsBegin, recordBytes } = header;
   const cursor = new ByteCursor(source.stream(), progress);
-  const buffer = bufferFor(layout);
+  const buffer = bufferFor(layout.fields);
   const truncated = () => {
     const end = cursor.offset + cursor.available;
     return tooFewBytes(source.name, { count, needed: pointsBegin + count * recordBytes }, end);
@@ -86,11 +86,6 @@ async function* readPoints(file: LasFile, progress: ReadProgress): AsyncGenerato
   } finally {
     await cursor.close();
   }
-}
-
-/** A buffer for what the records hold; colour may be saved in 8 or 16 bits, the values tell. */
-export function bufferFor({ fields }: RecordLayout): PointBuffer {
-  return new PointBuffer((number) => fields.some(({ field }) => field === number));
 }
 
 function withheld(left: number, of: number): Warning {

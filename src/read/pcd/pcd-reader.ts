@@ -6,7 +6,7 @@ import { viewOf } from '../bytes/view-of.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
 import { tooFewBytes } from '../cut-off.ts';
 import { columnsOfFields } from '../field-names.ts';
-import { BLUE, type ColourRange, PointBuffer, RED, Z } from '../point-buffer.ts';
+import { BLUE, bufferFor, type ColourRange, type PointBuffer, RED, Z } from '../point-buffer.ts';
 import { decodeRecords, type RecordField, readRecords } from '../records.ts';
 import { BLANK } from '../text/characters.ts';
 import { type PackedColour, readTextPoints } from '../text/text-points.ts';
@@ -111,9 +111,8 @@ function recordFields({ header, columns, packed }: Pcd): (RecordField & { readon
   });
 }
 
-function bufferFor({ header, columns, packed }: Pcd, fields: readonly RecordField[]): PointBuffer {
-  const has = (field: number) => fields.some((present) => present.field === field);
-  return new PointBuffer(has, colourRange(header, columns, packed));
+function bufferOf({ header, columns, packed }: Pcd, fields: readonly RecordField[]): PointBuffer {
+  return bufferFor(fields, colourRange(header, columns, packed));
 }
 
 async function* readBinary(pcd: Pcd, progress: ReadProgress): AsyncGenerator<PointChunk> {
@@ -127,7 +126,7 @@ async function* readBinary(pcd: Pcd, progress: ReadProgress): AsyncGenerator<Poi
       cursor,
       layout,
       count: pcd.header.points,
-      buffer: bufferFor(pcd, fields),
+      buffer: bufferOf(pcd, fields),
       truncated,
     });
   } finally {
@@ -150,7 +149,7 @@ async function* readCompressed(pcd: Pcd, progress: ReadProgress): AsyncGenerator
     const inValue = field.index === pcd.packed ? BLUE - field.field : 0;
     return { ...field, stride: size * count, offset: blocks[field.index] + inValue };
   });
-  const buffer = bufferFor(pcd, fields);
+  const buffer = bufferOf(pcd, fields);
   for (let first = 0; first < points; ) {
     const count = Math.min(buffer.free, points - first);
     const moved = fields.map((field) => ({ ...field, offset: field.offset + first * field.stride }));

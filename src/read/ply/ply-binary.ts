@@ -38,6 +38,10 @@ export function recordBytes({ properties }: PlyElement): number | null {
   return bytes;
 }
 
+export function vertexBuffer({ columns, colourRange }: PlyBody): PointBuffer {
+  return new PointBuffer((field) => columns[field] >= 0, colourRange);
+}
+
 /** Points of a binary PLY. @throws input/truncated, with the byte offset */
 export async function* readBinaryPly(
   source: ByteSource,
@@ -46,7 +50,7 @@ export async function* readBinaryPly(
 ): AsyncGenerator<PointChunk> {
   const cursor = new ByteCursor(source.stream(), progress);
   const vertex = body.elements[body.elements.length - 1];
-  const buffer = new PointBuffer((field) => body.columns[field] >= 0, body.colourRange);
+  const buffer = vertexBuffer(body);
   try {
     yield* readBinaryVertices({ cursor, buffer, vertex, body, name: source.name });
   } finally {
