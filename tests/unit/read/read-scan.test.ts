@@ -100,7 +100,13 @@ describe('readScan', () => {
     const options = resolveOptions({ resolution: 0.05 });
     const source = memorySource(ply(points), 'room.ply');
     let readings = 0;
-    const counted = { ...source, stream: () => (readings++, source.stream()) };
+    const counted = {
+      ...source,
+      stream() {
+        readings++;
+        return source.stream();
+      },
+    };
     const scan = await readScan(counted, options, { onProgress: (status) => statuses.push(status) });
     expect(readings).toBe(2);
     const reverse = await readScan(memorySource(ply([...points].reverse()), 'room.ply'), options);
