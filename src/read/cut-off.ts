@@ -1,5 +1,11 @@
 import { countOf } from '../core/count-words.ts';
 import { FloorPlanError } from '../core/errors.ts';
+import type { Warning } from '../core/types.ts';
+
+/** Of a cloud that is cut off, fewer whole points than these are a corner of a room … */
+const LEAST_POINTS = 5000;
+/** … and a smaller share of those announced is the work of a header that lies, or no scan to make a plan of. */
+const LEAST_SHARE = 0.5;
 
 type Detail = Readonly<Record<string, string | number>>;
 
@@ -49,3 +55,31 @@ export function tooFewRows(name: string, announced: number, found: number, of?: 
     found,
   });
 }
+
+/** What is whole of a cloud that is cut off. */
+export interface WholePart {
+  readonly found: number;
+  /** Undefined where the file does not tell. */
+  readonly announced: number | undefined;
+}
+
+/** Whether what is whole is most of a cloud: then it is read, with a warning. */
+export function isWorthReading({ found, announced = found }: WholePart): boolean {
+  return found >= LEAST_POINTS && found >= LEAST_SHARE * announced;
+}
+
+/** Says in `warnings`, once, that only what is whole was read. @throws `error`, where that is not worth it */
+export function goOnWith(part: WholePart, error: FloorPlanError, warnings: Warning[]): void {
+  if (!isWorthReading(part)) throw error;
+  const { found, announced } = part;
+  const others = warnings.filter(({ code }) => code !== CUT_OFF);
+  const whole = found.toLocaleString('en-GB');
+  const of = announced === undefined ? '' : ` of the ${countOf(announced, 'point')} announced`;
+  warnings.splice(0, Infinity, ...others, {
+    code: CUT_OFF,
+    message: `The file is cut off: ${whole}${of || ' points'} are whole, and only these were read.`,
+    hint: 'Copy or export it again, for a part of the building may be missing.',
+  });
+}
+
+const CUT_OFF = 'read/cut-off';

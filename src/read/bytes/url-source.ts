@@ -98,17 +98,19 @@ async function* bodyOf(request: UrlRequest, response: Response): AsyncGenerator<
   let isDone = false;
   try {
     while (true) {
-      const { done, value } = await reader.read();
+      const { done, value } = await reader.read().catch((cause) => {
+        throw brokenError(request, response, received, cause);
+      });
       isDone = done;
-      if (done) return;
+      if (done) break;
       received += value.length;
       yield value;
     }
-  } catch (cause) {
-    throw networkError(request, `the connection broke after ${received} bytes`, cause, { offset: received });
   } finally {
     if (!isDone) await reader.cancel().catch(() => undefined);
   }
+  // Browsers see to this themselves, unless a service worker answers.
+  if (received < (lengthOf(response) ?? 0)) throw brokenError(request, response, received);
 }
 
 async function readRange(request: UrlRequest, begin: number, end: number): Promise<Uint8Array> {
@@ -117,15 +119,20 @@ async function readRange(request: UrlRequest, begin: number, end: number): Promi
   return (await firstBytes(bodyOf(request, response), end)).subarray(begin, end);
 }
 
-/** Undefined unless the length surely counts the decoded bytes: a wrong size would make a whole file look cut off. */
+/** Of the whole file. */
 function sizeOf(response: Response): number | undefined {
   if (response.headers.has('content-encoding')) return undefined;
   const range = /\/(\d+)$/.exec(response.headers.get('content-range') ?? '');
   if (range) return Number(range[1]);
+  return response.status === 200 ? lengthOf(response) : undefined;
+}
+
+/** Of the body. Undefined unless it surely counts the decoded bytes: a wrong one would make a whole file look cut off. */
+function lengthOf({ headers, type }: Response): number | undefined {
+  const length = headers.get('content-length');
   // Across origins the encoding is hidden from us.
-  const length = response.headers.get('content-length');
-  const isWhole = response.status === 200 && response.type !== 'cors';
-  return isWhole && length !== null ? Number(length) : undefined;
+  const isSure = type !== 'cors' && !headers.has('content-encoding');
+  return isSure && length !== null ? Number(length) : undefined;
 }
 
 /** The file's name in a URL, decoded. */
@@ -139,13 +146,37 @@ export function nameOf(url: string): string {
   }
 }
 
+function brokenError(
+  { url, signal }: UrlRequest,
+  response: Response,
+  received: number,
+  cause?: unknown,
+): FloorPlanError {
+  if (signal?.aborted) return cancelledError(cause);
+  const length = lengthOf(response);
+  const of = length === undefined ? '' : ` of ${length}`;
+  return new FloorPlanError(
+    'environment/network',
+    `expected a file at ${url}, found: the connection broke after ${received}${of} bytes`,
+    {
+      hint: 'Load it once more, or download the file and open that.',
+      detail: { url, offset: received },
+      cause,
+    },
+  );
+}
+
+function cancelledError(cause: unknown): FloorPlanError {
+  return new FloorPlanError('cancelled', 'The download was cancelled.', { cause });
+}
+
 function networkError(
   { url, signal }: UrlRequest,
   found: string,
   cause?: unknown,
   detail: Readonly<Record<string, string | number>> = {},
 ): FloorPlanError {
-  if (signal?.aborted) return new FloorPlanError('cancelled', 'The download was cancelled.', { cause });
+  if (signal?.aborted) return cancelledError(cause);
   return new FloorPlanError('environment/network', `expected a file at ${url}, found: ${found}`, {
     hint: 'Check the address, and that its server allows other sites to read it (CORS).',
     detail: { url, ...detail },

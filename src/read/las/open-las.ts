@@ -2,7 +2,7 @@ import type { Warning } from '../../core/types.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
-import { tooFewBytes } from '../cut-off.ts';
+import { goOnWith, isWorthReading, tooFewBytes } from '../cut-off.ts';
 import { bufferFor } from '../point-buffer.ts';
 import { type RecordLayout, readRecords } from '../records.ts';
 import { type LasHeader, readLasHeader } from './las-header.ts';
@@ -33,15 +33,21 @@ export async function openLas(source: ByteSource): Promise<OpenCloud> {
   const file = await readLasFile(source);
   const { count, pointsBegin, recordBytes } = file.header;
   const needed = pointsBegin + count * recordBytes;
-  if (source.size !== undefined && needed > source.size)
-    throw tooFewBytes(source.name, { count, needed }, source.size);
-  return lasCloud(file, (progress) => readPoints(file, progress));
+  const { size = Infinity } = source;
+  const found = Math.floor((size - pointsBegin) / recordBytes);
+  if (found < count && !isWorthReading({ found, announced: count }))
+    throw tooFewBytes(source.name, { count, needed }, size);
+  return lasCloud(file, (progress, _, warnings) => readPoints(file, progress, warnings));
 }
 
 /** A cloud that reads as `chunks` does; withheld points are counted and told when all has been read. */
 export function lasCloud(
   { header, place }: LasFile,
-  chunks: (progress: ReadProgress, spacing: number) => AsyncGenerator<PointChunk, ReadCount>,
+  chunks: (
+    progress: ReadProgress,
+    spacing: number,
+    warnings: Warning[],
+  ) => AsyncGenerator<PointChunk, ReadCount>,
 ): OpenCloud {
   const warnings: Warning[] = [...place.warnings];
   return {
@@ -50,7 +56,7 @@ export function lasCloud(
     ...(place.unit && { unit: place.unit }),
     ...(place.crs && { crs: place.crs }),
     async *chunks(progress, spacing) {
-      const { decoded, kept } = yield* chunks(progress, spacing);
+      const { decoded, kept } = yield* chunks(progress, spacing, warnings);
       const isTold = warnings.some(({ code }) => code === WITHHELD);
       if (decoded > kept && !isTold) warnings.push(withheld(decoded - kept, decoded));
     },
@@ -66,23 +72,29 @@ export interface ReadCount {
 
 const WITHHELD = 'read/withheld-points';
 
-async function* readPoints(file: LasFile, progress: ReadProgress): AsyncGenerator<PointChunk, ReadCount> {
-  const { source, header, layout } = file;
+async function* readPoints(
+  { source, header, layout }: LasFile,
+  progress: ReadProgress,
+  warnings: Warning[],
+): AsyncGenerator<PointChunk, ReadCount> {
   const { count, pointsBegin, recordBytes } = header;
   const cursor = new ByteCursor(source.stream(), progress);
   const buffer = bufferFor(layout.fields);
-  const truncated = () => {
-    const end = cursor.offset + cursor.available;
-    return tooFewBytes(source.name, { count, needed: pointsBegin + count * recordBytes }, end);
+  let decoded = count;
+  const endEarly = (found: number) => {
+    const needed = pointsBegin + count * recordBytes;
+    const error = tooFewBytes(source.name, { count, needed }, cursor.offset + cursor.available);
+    goOnWith({ found, announced: count }, error, warnings);
+    decoded = found;
   };
   let kept = 0;
   try {
-    if (!(await cursor.skip(pointsBegin))) throw truncated();
-    for await (const chunk of readRecords({ cursor, layout, count, buffer, truncated })) {
+    if (!(await cursor.skip(pointsBegin))) endEarly(0);
+    for await (const chunk of readRecords({ cursor, layout, count, buffer, endEarly })) {
       kept += chunk.count;
       yield chunk;
     }
-    return { decoded: count, kept };
+    return { decoded, kept };
   } finally {
     await cursor.close();
   }

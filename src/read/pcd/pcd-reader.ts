@@ -1,15 +1,16 @@
 import { countOf } from '../../core/count-words.ts';
 import { FloorPlanError } from '../../core/errors.ts';
+import type { Warning } from '../../core/types.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import { viewOf } from '../bytes/view-of.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
-import { tooFewBytes } from '../cut-off.ts';
+import { goOnWith, isWorthReading, tooFewBytes } from '../cut-off.ts';
 import { columnsOfFields } from '../field-names.ts';
 import { BLUE, bufferFor, type ColourRange, type PointBuffer, RED, Z } from '../point-buffer.ts';
 import { decodeRecords, type RecordField, readRecords } from '../records.ts';
 import { BLANK } from '../text/characters.ts';
-import { type PackedColour, readTextPoints } from '../text/text-points.ts';
+import { type PackedColour, readTextPoints, type TextPoints } from '../text/text-points.ts';
 import { inflateLzf, mostInflated } from './lzf.ts';
 import { type PcdField, type PcdHeader, readPcdHeader } from './pcd-header.ts';
 
@@ -28,6 +29,7 @@ interface Pcd {
   readonly packed: number;
   /** Bytes of a point. */
   readonly stride: number;
+  readonly warnings: Warning[];
 }
 
 /**
@@ -44,7 +46,8 @@ export async function openPcd(source: ByteSource): Promise<OpenCloud> {
   );
   const columns = columnsOfFields(names);
   const stride = header.fields.reduce((bytes, { size, count }) => bytes + size * count, 0);
-  const pcd: Pcd = { source, header, columns, packed, stride };
+  const warnings: Warning[] = [];
+  const pcd: Pcd = { source, header, columns, packed, stride, warnings };
   assertPoints(pcd);
   return {
     isSlice: false,
@@ -52,7 +55,7 @@ export async function openPcd(source: ByteSource): Promise<OpenCloud> {
     ...(header.viewpoint && { stations: [header.viewpoint] }),
     ...(header.isGrid && { hasEmptyPlaces: true }),
     chunks: (progress) => chunksOf(pcd, progress),
-    warnings: [],
+    warnings,
   };
 }
 
@@ -62,7 +65,7 @@ function chunksOf(pcd: Pcd, progress: ReadProgress): AsyncIterable<PointChunk> {
   return encoding === 'binary' ? readBinary(pcd, progress) : readCompressed(pcd, progress);
 }
 
-function textPoints({ header, columns, packed }: Pcd) {
+function textPoints({ header, columns, packed, warnings }: Pcd): TextPoints {
   const targets: number[] = header.fields.flatMap(({ count }, index) => {
     const field =
       index === packed ? RED : isColour(columns.indexOf(index)) && packed >= 0 ? -1 : columns.indexOf(index);
@@ -75,6 +78,7 @@ function textPoints({ header, columns, packed }: Pcd) {
     line: header.bodyLine,
     rows: header.points,
     colourRange: colourRange(header, columns, packed),
+    warnings,
     ...(packed >= 0 && { packedColour: packedColour(header.fields[packed]) }),
   };
 }
@@ -118,17 +122,13 @@ function bufferOf({ header, columns, packed }: Pcd, fields: readonly RecordField
 async function* readBinary(pcd: Pcd, progress: ReadProgress): AsyncGenerator<PointChunk> {
   const cursor = new ByteCursor(pcd.source.stream(), progress);
   const fields = recordFields(pcd);
-  const truncated = () => cutOff(pcd, cursor);
+  const count = pcd.header.points;
+  const endEarly = (found: number) =>
+    goOnWith({ found, announced: count }, cutOff(pcd, cursor), pcd.warnings);
   try {
-    if (!(await cursor.skip(pcd.header.bodyBegin))) throw truncated();
+    if (!(await cursor.skip(pcd.header.bodyBegin))) endEarly(0);
     const layout = { fields, stride: pcd.stride, isLittleEndian: true };
-    yield* readRecords({
-      cursor,
-      layout,
-      count: pcd.header.points,
-      buffer: bufferOf(pcd, fields),
-      truncated,
-    });
+    yield* readRecords({ cursor, layout, count, buffer: bufferOf(pcd, fields), endEarly });
   } finally {
     await cursor.close();
   }
@@ -231,10 +231,14 @@ function assertPoints(pcd: Pcd): void {
   }
   // A text value takes a digit and a blank.
   const values = fields.reduce((sum, { count }) => sum + count, 0);
-  const least = { ascii: 2 * values * points - 1, binary: stride * points, binary_compressed: SIZES_BYTES };
-  const needed = header.bodyBegin + least[encoding];
-  if (source.size !== undefined && needed > source.size)
-    throw tooFewBytes(source.name, { count: points, needed }, source.size);
+  const least = { ascii: 2 * values, binary: stride, binary_compressed: 0 }[encoding];
+  const before = header.bodyBegin + (encoding === 'binary_compressed' ? SIZES_BYTES : 0);
+  // A text may end without an end of line.
+  const needed = before + least * points - (encoding === 'ascii' ? 1 : 0);
+  const { size = Infinity } = source;
+  const found = Math.floor((size - before) / least);
+  if (needed > size && !isWorthReading({ found, announced: points }))
+    throw tooFewBytes(source.name, { count: points, needed }, size);
   const inflated = stride * points;
   if (encoding === 'binary_compressed' && inflated > MOST_INFLATED_BYTES)
     throw tooLarge(source.name, inflated);

@@ -1,9 +1,10 @@
 import type { FloorPlanError } from '../../core/errors.ts';
+import type { Warning } from '../../core/types.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import { viewOf } from '../bytes/view-of.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
-import { tooFewBytes } from '../cut-off.ts';
+import { goOnWith, tooFewBytes } from '../cut-off.ts';
 import { type ColourRange, PointBuffer } from '../point-buffer.ts';
 import { NUMBER_READERS, type RecordField, type RecordStream, readRecords } from '../records.ts';
 import { NUMBER_TYPE_OF, type PlyElement, type PlyProperty, type PlyType, valueBytes } from './ply-header.ts';
@@ -26,6 +27,8 @@ export interface PlyDecoder {
   readonly vertex: PlyElement;
   readonly body: PlyBody;
   readonly name: string;
+  /** Where to say that only what is whole was read; without them nothing but the whole will do. */
+  readonly warnings?: Warning[];
 }
 
 /** Bytes of one record, or null where it has lists and records differ. */
@@ -46,13 +49,14 @@ export function vertexBuffer({ columns, colourRange }: PlyBody): PointBuffer {
 export async function* readBinaryPly(
   source: ByteSource,
   body: PlyBody,
+  warnings: Warning[],
   progress: ReadProgress,
 ): AsyncGenerator<PointChunk> {
   const cursor = new ByteCursor(source.stream(), progress);
   const vertex = body.elements[body.elements.length - 1];
   const buffer = vertexBuffer(body);
   try {
-    yield* readBinaryVertices({ cursor, buffer, vertex, body, name: source.name });
+    yield* readBinaryVertices({ cursor, buffer, vertex, body, name: source.name, warnings });
   } finally {
     await cursor.close();
   }
@@ -78,7 +82,7 @@ function fixedRecords(decoder: PlyDecoder, stride: number): RecordStream {
     offset += valueBytes(type);
   });
   const layout = { fields, stride, isLittleEndian: body.isLittleEndian };
-  return { cursor, layout, count: vertex.count, buffer, truncated: () => truncated(decoder) };
+  return { cursor, layout, count: vertex.count, buffer, endEarly: (found) => endEarly(decoder, found) };
 }
 
 /** Vertices with lists among their properties: value by value, the lists passed over. */
@@ -136,6 +140,12 @@ async function needBytes(decoder: PlyDecoder, length: number): Promise<void> {
 
 async function skipBytes(decoder: PlyDecoder, length: number): Promise<void> {
   if (!(await decoder.cursor.skip(length))) throw truncated(decoder);
+}
+
+function endEarly(decoder: PlyDecoder, found: number): void {
+  const error = truncated(decoder);
+  if (!decoder.warnings) throw error;
+  goOnWith({ found, announced: decoder.vertex.count }, error, decoder.warnings);
 }
 
 function truncated({ cursor, vertex, name }: PlyDecoder): FloorPlanError {

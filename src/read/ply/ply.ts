@@ -3,7 +3,7 @@ import { FloorPlanError } from '../../core/errors.ts';
 import type { Warning } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, ReadFormat } from '../cloud-reader.ts';
-import { tooFewBytes } from '../cut-off.ts';
+import { isWorthReading, tooFewBytes } from '../cut-off.ts';
 import { columnsOfFields } from '../field-names.ts';
 import { type ColourRange, RED, Z } from '../point-buffer.ts';
 import { latin1 } from '../signatures.ts';
@@ -61,8 +61,8 @@ async function openPly(source: ByteSource): Promise<OpenCloud> {
     pointsAnnounced: vertex.count,
     chunks: (progress) =>
       header.format === 'ascii'
-        ? readTextPoints(source, rows, progress)
-        : readBinaryPly(source, body, progress),
+        ? readTextPoints(source, { ...rows, warnings }, progress)
+        : readBinaryPly(source, body, warnings, progress),
     warnings,
   };
 }
@@ -117,7 +117,7 @@ function assertPoints(name: string, vertex: PlyElement | undefined, columns: rea
   );
 }
 
-/** Where the size is known, a header that promises more than the file holds is caught before anything is read. */
+/** Where the size is known, a header that promises far more than the file holds is caught before anything is read. */
 function assertLongEnough(
   { name, size }: ByteSource,
   header: PlyHeader,
@@ -128,7 +128,10 @@ function assertLongEnough(
   for (const element of elements) needed += element.count * leastBytes(header, element);
   if (header.format === 'ascii') needed -= 1;
   if (needed <= size) return;
-  const { count, name: what } = elements[elements.length - 1];
+  const last = elements[elements.length - 1];
+  const { count, name: what } = last;
+  const found = Math.floor(count - (needed - size) / leastBytes(header, last));
+  if (what === 'vertex' && isWorthReading({ found, announced: count })) return;
   throw tooFewBytes(name, { count, what: what === 'vertex' ? 'point' : 'face', needed }, size);
 }
 
