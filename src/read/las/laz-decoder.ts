@@ -2,6 +2,7 @@ import { FloorPlanError } from '../../core/errors.ts';
 import type { PointChunk } from '../cloud-reader.ts';
 import { bufferFor, type PointBuffer } from '../point-buffer.ts';
 import { decodeRecords, type RecordLayout } from '../records.ts';
+import { wasmError } from '../wasm.ts';
 import { type LasHeader, malformed } from './las-header.ts';
 import type { LaszipRecord } from './laszip-record.ts';
 import { type LazChunk, wantedLayers, writeWantedLayers } from './laz-layers.ts';
@@ -54,14 +55,7 @@ export class LazDecoder {
     try {
       module = await createLazModule();
     } catch (cause) {
-      throw new FloorPlanError(
-        'environment/wasm',
-        'LAZ is decompressed with WebAssembly, which may not be used here.',
-        {
-          hint: "Allow 'wasm-unsafe-eval' in the page's content security policy, or save the cloud as LAS.",
-          cause,
-        },
-      );
+      throw wasmError('LAZ', 'the cloud as LAS', cause);
     }
     return new LazDecoder(module, file, laszip);
   }

@@ -7,6 +7,7 @@ import { cutOffAt } from '../cut-off.ts';
 import { latin1 } from '../signatures.ts';
 import { isGlb } from './glb-mark.ts';
 import type { ByteRange, GltfJson } from './gltf-json.ts';
+import { unpackMeshopt } from './meshopt.ts';
 
 /** Longest JSON: engines hold no longer strings than about twice this. */
 const MOST_JSON_BYTES = 1 << 28;
@@ -71,6 +72,7 @@ async function readPlainText(source: ByteSource): Promise<GltfFile> {
 /** The bytes of buffer views, without those between them, such as pictures. */
 export class GltfBytes {
   readonly #runs: { readonly range: ByteRange; readonly bytes: Uint8Array }[] = [];
+  readonly #unpacked = new Map<string, Uint8Array>();
 
   /** Reads what `ranges` need, in one pass. @throws input/malformed, input/truncated, input/too-large */
   static async read(
@@ -87,11 +89,28 @@ export class GltfBytes {
       if (isOwn) await bytes.#readChunk(source, file, wanted, progress);
       else bytes.#decode(gltf, uri, wanted);
     }
+    for (const range of ranges) await bytes.#unpack(gltf, range);
     return bytes;
   }
 
-  /** A range that was asked for. */
-  of({ buffer, begin, end }: ByteRange): Uint8Array {
+  /** A range that was asked for, unpacked. */
+  of(range: ByteRange): Uint8Array {
+    return this.#unpacked.get(keyOf(range)) ?? this.#raw(range);
+  }
+
+  async #unpack(gltf: GltfJson, range: ByteRange): Promise<void> {
+    const { packing, begin } = range;
+    if (!packing || this.#unpacked.has(keyOf(range))) return;
+    const bytes = await unpackMeshopt(this.#raw(range), packing);
+    if (!bytes)
+      throw gltf.malformed(
+        `${packing.count} values packed by meshopt`,
+        `other bytes at ${begin} of their buffer`,
+      );
+    this.#unpacked.set(keyOf(range), bytes);
+  }
+
+  #raw({ buffer, begin, end }: ByteRange): Uint8Array {
     const run = this.#runs.find(
       ({ range }) => range.buffer === buffer && range.begin <= begin && range.end >= end,
     );
@@ -131,6 +150,10 @@ export class GltfBytes {
       throw gltf.malformed(`${last} bytes in the data URI of a buffer`, `${bytes.length}`);
     this.#runs.push({ range: { buffer: ranges[0].buffer, begin: 0, end: bytes.length }, bytes });
   }
+}
+
+function keyOf({ buffer, begin, end, packing }: ByteRange): string {
+  return packing ? JSON.stringify([buffer, begin, end, packing]) : '';
 }
 
 /** In order, those that touch as one. */
