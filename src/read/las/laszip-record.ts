@@ -77,7 +77,11 @@ export function readLaszipRecord(
     throw new FloorPlanError(
       'input/unknown-format',
       `${name}: expected points of format 0 to 3 or 6 to 10, compressed in chunks; found format ${format}, compressor ${compressor}, items ${found || 'none'}`,
-      { hint: 'Save the cloud as LAS, or as LAZ with a current LASzip.' },
+      {
+        hint: expected
+          ? 'Save the cloud as LAS, or as LAZ with a current LASzip.'
+          : 'Save the cloud as LAS, or as LAZ without its wave packets: in point format 1 or 3.',
+      },
     );
   }
   const itemBytes = items.reduce((sum, { bytes }) => sum + bytes, 0);
