@@ -1,3 +1,4 @@
+import { countOf } from '../../core/count-words.ts';
 import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import { viewOf } from '../bytes/view-of.ts';
@@ -52,8 +53,13 @@ export async function readChunkTable(
     end += bytes;
   }
   if (left === 0 && end <= at) return table;
-  const found = `${header.count - left} points in ${end - begin} bytes`;
-  throw malformed(source.name, at, `chunks of ${header.count} points in ${at - begin} bytes`, found);
+  const found = `${countOf(header.count - left, 'point')} in ${end - begin} bytes`;
+  throw malformed(
+    source.name,
+    at,
+    `chunks of ${countOf(header.count, 'point')} in ${at - begin} bytes`,
+    found,
+  );
 }
 
 /** −1 where the writer could not go back to note it: then it stands at the end. */

@@ -1,3 +1,4 @@
+import { countOf } from '../../core/count-words.ts';
 import { FloorPlanError } from '../../core/errors.ts';
 import type { PointChunk } from '../cloud-reader.ts';
 import { bufferFor, type PointBuffer } from '../point-buffer.ts';
@@ -67,7 +68,7 @@ export class LazDecoder {
     const perByte = Math.min(MOST_POINTS_PER_BYTE, MOST_GROWTH / stride);
     const most = Math.floor(perByte * chunk.bytes.length);
     if (chunk.points > most)
-      throw malformed(this.#name, chunk.offset, `at most ${most} points`, chunk.points);
+      throw malformed(this.#name, chunk.offset, `at most ${countOf(most, 'point')}`, chunk.points);
     if (chunk.bytes.length > MOST_CHUNK_BYTES) throw tooLarge(this.#name, chunk);
     const { pointer, decoder } = this.#guard(chunk, () => this.#open(chunk));
     let left = chunk.points;
@@ -121,7 +122,7 @@ export class LazDecoder {
       if (cause instanceof FloorPlanError) throw cause;
       throw new FloorPlanError(
         'input/malformed',
-        `${this.#name}: expected ${points} compressed points in ${bytes.length} bytes at byte ${offset}, found bytes that cannot be decompressed`,
+        `${this.#name}: expected ${countOf(points, 'compressed point')} in ${bytes.length} bytes at byte ${offset}, found bytes that cannot be decompressed`,
         { hint: 'The file seems damaged; copy or export it again.', detail: { offset }, cause },
       );
     }

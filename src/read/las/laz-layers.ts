@@ -1,3 +1,4 @@
+import { countOf } from '../../core/count-words.ts';
 import { viewOf } from '../bytes/view-of.ts';
 import { malformed } from './las-header.ts';
 import type { LaszipRecord } from './laszip-record.ts';
@@ -54,7 +55,8 @@ export function writeWantedLayers(
   if (source > bytes.length)
     throw malformed(name, offset, `a chunk of ${source} bytes or more`, bytes.length);
   const counted = from.getUint32(recordBytes, true);
-  if (counted !== points) throw malformed(name, offset + recordBytes, `${points} points in a chunk`, counted);
+  if (counted !== points)
+    throw malformed(name, offset + recordBytes, `${countOf(points, 'point')} in a chunk`, counted);
   to.fill(0);
   to.set(bytes.subarray(0, firstBytes));
   into.setUint32(firstBytes, points, true);

@@ -1,3 +1,4 @@
+import { countOf } from '../../core/count-words.ts';
 import type { Warning } from '../../core/types.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
@@ -103,7 +104,7 @@ async function* readPoints(
 function withheld(left: number, of: number): Warning {
   return {
     code: WITHHELD,
-    message: `${left} of ${of} points are marked as withheld, that is deleted, and were left out.`,
+    message: `${left} of ${countOf(of, 'point')} ${left === 1 ? 'is' : 'are'} marked as withheld, that is deleted, and left out.`,
     hint: 'Take the mark off in the program that set it, if they belong to the building.',
   };
 }
