@@ -17,8 +17,9 @@ const MOST_SAMPLES = 2.5e8;
 const SAMPLES_PER_POINT = 64;
 /** Samples farther apart than so many cells are of no building in its right unit: a coarse whole shows that as well. */
 const LOST_SPACINGS = 4;
-/** For a rough whole too: its rows may outnumber its points by far. */
 const COARSE_SAMPLES = 2e7;
+/** Of a rough whole, whose rows outnumber its points by far where triangles are slivers: those of 10 M triangles fit. */
+const ROUGH_SAMPLES = 5e6;
 /** Samples a cell's edge: a surface that crosses a cell leaves a point in it. */
 const SAMPLES_PER_SPACING = 2;
 /** After so many chunks other work gets a turn, such as a request to cancel. */
@@ -85,7 +86,7 @@ async function* samplesOf({ mesh, size }: LoadedMesh, sampling: Sampling): Async
 }
 
 function stepOf(size: MeshSize, { spacing, budget }: Sampling): number {
-  if (spacing === 0) return Math.max(Math.sqrt(size.area / ROUGH_POINTS), finestStep(size, COARSE_SAMPLES));
+  if (spacing === 0) return Math.max(Math.sqrt(size.area / ROUGH_POINTS), finestStep(size, ROUGH_SAMPLES));
   const isLost = finestStep(size, MOST_SAMPLES) > LOST_SPACINGS * spacing;
   const most = Math.min(isLost ? COARSE_SAMPLES : MOST_SAMPLES, SAMPLES_PER_POINT * budget);
   return Math.max(spacing / SAMPLES_PER_SPACING, finestStep(size, most));
