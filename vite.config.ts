@@ -14,7 +14,7 @@ const external = [
 /** What the built page may do: run and show its own files, and fetch the scan a person names. */
 const policy = [
   "default-src 'none'",
-  // WebAssembly decompresses LAZ.
+  // WebAssembly decompresses LAZ, and models packed by Draco or meshopt.
   "script-src 'self' 'wasm-unsafe-eval'",
   "style-src 'self'",
   "img-src 'self' data: blob:",

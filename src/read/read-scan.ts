@@ -21,9 +21,12 @@ export type ReadOptions = Pick<
 >;
 
 export interface ReadStatus {
-  /** Bytes fetched; where the source is read twice, those of the first time too. */
+  /** Bytes fetched, those of a first reading too; never falls. */
   readonly bytesRead: number;
-  /** Bytes there are to fetch, where the source tells its size; doubles where it is read twice. */
+  /**
+   * Bytes there are to fetch, where the source tells its size: twice that size where it is known from the start that
+   * it is read twice. Another reading, which nobody could foresee, waits at the whole.
+   */
   readonly totalBytes?: number;
   readonly points: number;
 }
@@ -64,18 +67,21 @@ export async function readScan(
     cloud,
     options,
     control,
-    bytesBefore: 0,
+    readings: 1,
+    readingsDone: 0,
     bytesRead: 0,
+    told: 0,
     target: 0,
     classes,
     warnings: [],
   };
   const known = cloud.isAdaptive ? statedCell(run) : undefined;
+  const isRough = cloud.isAdaptive === true && known === undefined;
+  if (isRough) run.readings = 2;
   let thinning = await readOnce(run, known);
   assertPoints(run.name, thinning);
   if (!cloud.isSlice) {
     run.target = targetCell(run, thinning);
-    const isRough = cloud.isAdaptive && known === undefined;
     if (isRough || isWrongStart(thinning, run.target)) {
       thinning = await readAgain(run, run.target);
     } else if (thinning.cell < run.target) {
@@ -102,8 +108,13 @@ interface ReadRun {
   readonly cloud: OpenCloud;
   readonly options: ReadOptions;
   readonly control: ReadControl;
-  bytesBefore: number;
+  /** How often the sources are read, as far as can be foreseen. */
+  readings: number;
+  readingsDone: number;
+  /** In the present reading. */
   bytesRead: number;
+  /** Bytes last reported. */
+  told: number;
   /** Cell that the resolution asks for, source units; 0 for a slice. */
   target: number;
   /** 1 for each class code to keep; null for all. */
@@ -113,7 +124,7 @@ interface ReadRun {
 
 async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
   const { cloud, options, control } = run;
-  const preview = control.onPreview && run.bytesBefore === 0 ? new Preview(control.onPreview) : null;
+  const preview = control.onPreview && run.readingsDone === 0 ? new Preview(control.onPreview) : null;
   let thinning: Thinning | null = null;
   const filter = run.classes && new ClassFilter(run.classes);
   const tell = (bytesRead: number) => {
@@ -146,16 +157,19 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
 
 /** From the first byte on; progress goes on where it stands. */
 function readAgain(run: ReadRun, cell?: number): Promise<Thinning> {
-  run.bytesBefore = run.bytesRead;
+  run.readingsDone++;
   return readOnce(run, cell);
 }
 
-function report({ sources, control, bytesBefore, bytesRead }: ReadRun, points: number): void {
-  const size = sizeOfAll(sources);
+function report(run: ReadRun, points: number): void {
+  const { sources, control, readings, readingsDone, bytesRead } = run;
   if (control.signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
+  const size = sizeOfAll(sources);
+  const total = size === undefined ? Infinity : readings * size;
+  run.told = Math.max(run.told, Math.min(total, readingsDone * (size ?? 0) + bytesRead));
   control.onProgress?.({
-    bytesRead: bytesBefore + bytesRead,
-    ...(size !== undefined && { totalBytes: size * (bytesBefore > 0 ? 2 : 1) }),
+    bytesRead: run.told,
+    ...(size !== undefined && { totalBytes: total }),
     points,
   });
 }

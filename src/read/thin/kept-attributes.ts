@@ -1,4 +1,5 @@
 import type { PointAttributes } from '../../core/types.ts';
+import { ATTRIBUTE_WIDTHS, ATTRIBUTES } from '../cloud-reader.ts';
 
 type AttributeArray = Uint8Array | Uint16Array | Float32Array;
 
@@ -10,22 +11,14 @@ interface Column {
   source: AttributeArray | undefined;
 }
 
-/** Entries a point of each attribute. */
-const WIDTHS: Readonly<Record<keyof PointAttributes, number>> = {
-  colour: 3,
-  intensity: 1,
-  classification: 1,
-  station: 1,
-};
-
 /** The attributes of the points that thinning keeps: those that the first chunk has. */
 export class KeptAttributes {
   readonly #columns: Column[] = [];
 
   constructor(like: PointAttributes, capacity: number) {
-    for (const name of Object.keys(WIDTHS) as (keyof PointAttributes)[]) {
+    for (const name of ATTRIBUTES) {
       const example = like[name];
-      const width = WIDTHS[name];
+      const width = ATTRIBUTE_WIDTHS[name];
       if (example)
         this.#columns.push({ name, width, values: makeLike(example, width * capacity), source: undefined });
     }

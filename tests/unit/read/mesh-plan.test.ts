@@ -22,6 +22,8 @@ it.each([
   ['flat.obj', 'z', FLAT],
   ['flat.ply', 'z', FLAT],
   ['flat.glb', 'y', TURNED],
+  ['flat-meshopt.glb', 'y', TURNED],
+  ['flat-draco.glb', 'y', TURNED],
 ] as const)('%s: the outline is true to a centimetre', async (name, up, truth) => {
   const { plan } = await new Session({ strokeTest: createStrokeTest() }).load(
     await nodeSource(fixture(name)),

@@ -40,6 +40,7 @@ it.each(CASES)('%s: progress never goes back and ends at the whole', async (_, s
   const shares = states.map(({ bytesRead, totalBytes }) => bytesRead / totalBytes!);
   expect(shares.length).toBeGreaterThan(1);
   expect(shares.every((share) => share >= 0 && share <= 1)).toBe(true);
+  expect(new Set(states.map(({ totalBytes }) => totalBytes)).size).toBe(1);
   const reads = states.map(({ bytesRead }) => bytesRead);
   expect(reads).toEqual(reads.toSorted((a, b) => a - b));
   expect(shares.at(-1)).toBe(1);
