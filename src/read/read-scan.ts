@@ -12,7 +12,7 @@ import { makeScan } from './make-scan.ts';
 import { openScan } from './open-scan.ts';
 import { Preview } from './preview.ts';
 import { scanName } from './scan-name.ts';
-import { CELLS_TOLD_APART } from './thin/cell-hash.ts';
+import { CELLS_TOLD_APART } from './thin/cell-blocks.ts';
 import { diagonalOf, FARTHEST, powerOfTwoBelow, Thinning } from './thin/thinning.ts';
 
 export type ReadOptions = Pick<
@@ -82,7 +82,6 @@ export async function readScan(
       thinning.coarsen(run.target);
     }
   }
-  thinning.close();
   const bytes = sizeOfAll(sources) ?? run.bytesRead;
   const scan = makeScan(thinning, {
     name: run.name,
@@ -92,7 +91,8 @@ export async function readScan(
     target: run.target,
     warnings: run.warnings,
   });
-  if (thinning.count <= CHECKED_POINTS) checkSpread(scan.positions);
+  assertEnough(scan);
+  if (scan.facts.pointsKept <= CHECKED_POINTS) checkSpread(scan.positions);
   return scan;
 }
 
@@ -121,8 +121,7 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
     report(run, thinning?.read ?? 0);
   };
   const chunks = cloud.chunks(tell, cell ?? 0, options.pointBudget);
-  // Half: most scans lose more than that to thinning, and a table that proves too small grows once.
-  const expected = (cloud.pointsAnnounced ?? 0) / 2;
+  const expected = cloud.pointsAnnounced ?? 0;
   for await (const read of chunks) {
     const chunk = filter ? filter.apply(read) : read;
     if (chunk.count === 0) continue;
@@ -198,9 +197,9 @@ function targetCell(run: ReadRun, { sample }: Thinning): number {
   return powerOfTwoBelow(resolution / metresPerUnit);
 }
 
-/** @throws input/empty, input/not-finite, input/too-few-points */
+/** @throws input/empty, input/not-finite */
 function assertPoints(name: string, thinning: Thinning): void {
-  const { read, dropped, count } = thinning;
+  const { read, dropped } = thinning;
   if (read === 0) throw noPoints(name);
   if (dropped === read) {
     throw new FloorPlanError(
@@ -212,13 +211,16 @@ function assertPoints(name: string, thinning: Thinning): void {
       },
     );
   }
-  if (count < 3) {
-    throw new FloorPlanError(
-      'input/too-few-points',
-      `${name}: expected at least 3 distinct points, found ${countOf(count, 'point')}`,
-      { hint: 'Check that the file holds the whole cloud.', detail: { points: count } },
-    );
-  }
+}
+
+/** @throws input/too-few-points */
+function assertEnough({ facts: { name, pointsKept } }: Scan): void {
+  if (pointsKept >= 3) return;
+  throw new FloorPlanError(
+    'input/too-few-points',
+    `${name}: expected at least 3 distinct points, found ${countOf(pointsKept, 'point')}`,
+    { hint: 'Check that the file holds the whole cloud.', detail: { points: pointsKept } },
+  );
 }
 
 function noPoints(name: string): FloorPlanError {

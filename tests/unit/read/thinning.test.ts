@@ -7,8 +7,12 @@ function thin(points: readonly (readonly number[])[], cell: number, budget = 1e6
   return thinning;
 }
 
-const pointsOf = ({ xyz, count }: Thinning) =>
-  Array.from({ length: count }, (_, i) => [...xyz.subarray(3 * i, 3 * i + 3)].join()).sort();
+const keptBy = (thinning: Thinning) => thinning.inOrder([0, 0, 0], (length) => new Float64Array(length));
+
+const pointsOf = (thinning: Thinning) => {
+  const { positions, count } = keptBy(thinning);
+  return Array.from({ length: count }, (_, i) => [...positions.subarray(3 * i, 3 * i + 3)].join()).sort();
+};
 
 /** A slanted plane with some depth, far from 0. */
 const cloud = (count: number) =>
@@ -105,8 +109,7 @@ describe('Thinning', () => {
     ]) {
       const thinning = new Thinning({ cell: 1, budget: 10 });
       thinning.add(chunk(intensities));
-      const order = thinning.xyz[0] === 1 ? [0, 1] : [1, 0];
-      const { intensity, colour } = thinning.attributesOf(Uint32Array.from(order));
+      const { intensity, colour } = keptBy(thinning).attributes;
       expect([...intensity!]).toEqual([0.25, 1]);
       expect([...colour!]).toEqual([9, 8, 7, 1, 2, 3]);
     }
@@ -115,7 +118,8 @@ describe('Thinning', () => {
   it('prefers no corner of a cell', () => {
     const inCell = thin(cloud(200_000), 0.5);
     const offset = [0, 0, 0];
-    for (let i = 0; i < 3 * inCell.count; i++) offset[i % 3] += ((inCell.xyz[i] / 0.5) % 1) / inCell.count;
+    const { positions } = keptBy(inCell);
+    for (let i = 0; i < 3 * inCell.count; i++) offset[i % 3] += ((positions[i] / 0.5) % 1) / inCell.count;
     // The mean of n uniform values strays by 0.29 / √n.
     const slack = (4 * 0.29) / Math.sqrt(inCell.count);
     expect(Math.abs(offset[0] - 0.5)).toBeLessThan(slack);
