@@ -2,7 +2,7 @@ import { BlockTable } from './block-table.ts';
 import { type AttributeSet, CODE, type PointRecords, PRIORITY } from './point-records.ts';
 import { grown, RecordPages } from './record-pages.ts';
 
-/** Cells a side of a block as a power of two: a surface crosses it in some thousand cells, which fit the cache. */
+/** Cells a side of a block as a power of two: a surface crosses it in some thousand cells, which fit the cache; 32 are the bits of a word. */
 const SIDE_BITS = 5;
 const SIDE = 1 << SIDE_BITS;
 const IN_BLOCK = SIDE - 1;
@@ -191,14 +191,11 @@ export class CellBlocks {
     lines: Uint32Array,
     visit: (records: Uint32Array, places: Uint32Array) => void,
   ): void {
-    const { words, stride } = this.records;
     const listed = this.#list(block);
-    if (this.keepsAll) this.#orderPoints(listed);
-    else this.#orderCells(listed);
     if (this.#placed.length < listed.length) this.#placed = new Uint32Array(2 * listed.length);
     const placed = this.#placed.subarray(0, listed.length);
-    for (let i = 0; i < listed.length; i++)
-      placed[i] = lines[words[2 * stride * listed[i] + CODE] >> SIDE_BITS]++;
+    if (this.keepsAll) this.#placePoints(listed, lines, placed);
+    else this.#placeCells(listed, lines, placed);
     visit(listed, placed);
   }
 
@@ -340,36 +337,29 @@ export class CellBlocks {
     return this.#cells.subarray(0, length);
   }
 
-  /** A bit for each cell in use, and one for each word of such bits: what is set is found in order. */
-  #orderCells(listed: Uint32Array): void {
+  /** A line of cells is a word with a bit for each cell in use; the bits below a cell's tell its place in the line. */
+  #placeCells(listed: Uint32Array, lines: Uint32Array, placed: Uint32Array): void {
     const { words, stride } = this.records;
-    const cells = this.#cells;
+    const step = 2 * stride;
     for (const record of listed) {
-      const code = words[2 * stride * record + CODE];
-      cells[code] = record;
-      IN_USE[code >> 5] |= 1 << (code & 31);
-      IN_USE_WORDS[code >> 10] |= 1 << ((code >> 5) & 31);
+      const code = words[step * record + CODE];
+      IN_USE[code >> SIDE_BITS] |= 1 << (code & IN_BLOCK);
     }
-    let count = 0;
-    for (let k = 0; k < IN_USE_WORDS.length; k++) {
-      for (let rest = IN_USE_WORDS[k]; rest !== 0; rest &= rest - 1) {
-        const word = (k << 5) | lowestBit(rest);
-        for (let bits = IN_USE[word]; bits !== 0; bits &= bits - 1) {
-          const code = (word << 5) | lowestBit(bits);
-          listed[count++] = cells[code];
-          cells[code] = 0;
-        }
-        IN_USE[word] = 0;
-      }
-      IN_USE_WORDS[k] = 0;
+    for (let i = 0; i < listed.length; i++) {
+      const code = words[step * listed[i] + CODE];
+      const line = code >> SIDE_BITS;
+      placed[i] = lines[line] + countBits(IN_USE[line] & ((1 << (code & IN_BLOCK)) - 1));
+    }
+    for (const record of listed) {
+      const line = words[step * record + CODE] >> SIDE_BITS;
+      lines[line] += countBits(IN_USE[line]);
+      IN_USE[line] = 0;
     }
   }
 
-  #orderPoints(listed: Uint32Array): void {
-    const { records } = this;
-    const { words, stride } = records;
+  #placePoints(listed: Uint32Array, lines: Uint32Array, placed: Uint32Array): void {
+    const { words, stride, xyz } = this.records;
     const codeAt = (record: number) => words[2 * stride * record + CODE];
-    const { xyz } = records;
     listed.sort(
       (a, b) =>
         codeAt(a) - codeAt(b) ||
@@ -377,19 +367,23 @@ export class CellBlocks {
         xyz[stride * a + 1] - xyz[stride * b + 1] ||
         xyz[stride * a] - xyz[stride * b],
     );
+    for (let i = 0; i < listed.length; i++) placed[i] = lines[codeAt(listed[i]) >> SIDE_BITS]++;
   }
 }
 
-const IN_USE = new Int32Array(BLOCK_CELLS >> 5);
-const IN_USE_WORDS = new Int32Array(BLOCK_CELLS >> 10);
+/** Of a block at hand, a word for each line of cells along x; empty between uses. */
+const IN_USE = new Int32Array(SIDE * SIDE);
 
 /** A cell's number in its block: x fastest. */
 function codeOf(ix: number, iy: number, iz: number): number {
   return ((((iz & IN_BLOCK) << SIDE_BITS) | (iy & IN_BLOCK)) << SIDE_BITS) | (ix & IN_BLOCK);
 }
 
-function lowestBit(bits: number): number {
-  return 31 - Math.clz32(bits & -bits);
+/** Bits set in a word, summed in pairs, nibbles and bytes. */
+function countBits(word: number): number {
+  const pairs = word - ((word >>> 1) & 0x55555555);
+  const nibbles = (pairs & 0x33333333) + ((pairs >>> 2) & 0x33333333);
+  return Math.imul((nibbles + (nibbles >>> 4)) & 0x0f0f0f0f, 0x01010101) >>> 24;
 }
 
 function moveRecord({ xyz, words, stride }: PointRecords, from: number, to: number): void {
