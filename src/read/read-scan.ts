@@ -9,6 +9,7 @@ import type { ByteSource } from './bytes/source.ts';
 import { ClassFilter } from './class-filter.ts';
 import type { OpenCloud, PointChunk } from './cloud-reader.ts';
 import { makeScan } from './make-scan.ts';
+import { nextTurn } from './next-turn.ts';
 import { openScan } from './open-scan.ts';
 import { Preview } from './preview.ts';
 import { scanName } from './scan-name.ts';
@@ -35,6 +36,8 @@ export interface ReadControl {
   readonly signal?: AbortSignal | undefined;
 }
 
+/** Points after which a cancellation is listened for: some tens of milliseconds of the slowest decoder. */
+const POINTS_A_TURN = 1 << 16;
 /** Clouds of fewer points are checked for lying on a line here, others when they are oriented. */
 const CHECKED_POINTS = 1 << 16;
 
@@ -122,12 +125,19 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
   };
   const chunks = cloud.chunks(tell, cell ?? 0, options.pointBudget);
   const expected = cloud.pointsAnnounced ?? 0;
+  let unheard = 0;
   for await (const read of chunks) {
     const chunk = filter ? filter.apply(read) : read;
     if (chunk.count === 0) continue;
     thinning ??= new Thinning({ cell: cell ?? firstCell(run, chunk), budget: options.pointBudget, expected });
     thinning.add(chunk);
     preview?.add(chunk);
+    unheard += chunk.count;
+    if (control.signal && unheard >= POINTS_A_TURN) {
+      unheard = 0;
+      await nextTurn();
+      throwIfCancelled(control);
+    }
   }
   preview?.flush();
   const objection = filter?.objection;
@@ -151,12 +161,16 @@ function readAgain(run: ReadRun, cell?: number): Promise<Thinning> {
 
 function report({ sources, control, bytesBefore, bytesRead }: ReadRun, points: number): void {
   const size = sizeOfAll(sources);
-  if (control.signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
+  throwIfCancelled(control);
   control.onProgress?.({
     bytesRead: bytesBefore + bytesRead,
     ...(size !== undefined && { totalBytes: size * (bytesBefore > 0 ? 2 : 1) }),
     points,
   });
+}
+
+function throwIfCancelled({ signal }: ReadControl): void {
+  if (signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
 }
 
 function sizeOfAll(sources: readonly ByteSource[]): number | undefined {

@@ -89,7 +89,9 @@ const begin = performance.now();
 for (let i = 0; i < RUNS && performance.now() - begin < ENOUGH_MS; i++) {
   const used = process.cpuUsage();
   const start = performance.now();
-  found = await methods[method]();
+  const now = await methods[method]();
+  // The longest wait; the others always find the same.
+  found = Math.max(found, now);
   ms = Math.min(ms, performance.now() - start);
   const { user, system } = process.cpuUsage(used);
   cpuMs = Math.min(cpuMs, (user + system) / 1000);
