@@ -85,6 +85,7 @@ export async function readScan(
       thinning.coarsen(run.target);
     }
   }
+  await listen(control);
   const bytes = sizeOfAll(sources) ?? run.bytesRead;
   const scan = makeScan(thinning, {
     name: run.name,
@@ -133,10 +134,9 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
     thinning.add(chunk);
     preview?.add(chunk);
     unheard += chunk.count;
-    if (control.signal && unheard >= POINTS_A_TURN) {
+    if (unheard >= POINTS_A_TURN) {
       unheard = 0;
-      await nextTurn();
-      throwIfCancelled(control);
+      await listen(control);
     }
   }
   preview?.flush();
@@ -167,6 +167,12 @@ function report({ sources, control, bytesBefore, bytesRead }: ReadRun, points: n
     ...(size !== undefined && { totalBytes: size * (bytesBefore > 0 ? 2 : 1) }),
     points,
   });
+}
+
+/** Hears a cancellation that waits for its turn. @throws cancelled */
+async function listen(control: ReadControl): Promise<void> {
+  if (control.signal) await nextTurn();
+  throwIfCancelled(control);
 }
 
 function throwIfCancelled({ signal }: ReadControl): void {

@@ -20,11 +20,7 @@ const STATIONED = (STATION + 1 + PADDING) >> 1;
 /** Which attributes points have. */
 export type AttributeSet = Readonly<Record<keyof PointAttributes, boolean>>;
 
-/**
- * Points with all that is known of them, a record each: whoever has fetched one part of a point has fetched all of it.
- *
- * Arrays apart for coordinates, names and attributes took as long again.
- */
+/** Points with all that is known of them, a record each: whoever has fetched one part of a point has fetched all of it. */
 export class PointRecords {
   /** Float64 entries of a record; x, y and z come first. */
   readonly stride: number;
