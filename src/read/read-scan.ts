@@ -9,10 +9,11 @@ import type { ByteSource } from './bytes/source.ts';
 import { ClassFilter } from './class-filter.ts';
 import type { OpenCloud, PointChunk } from './cloud-reader.ts';
 import { makeScan } from './make-scan.ts';
+import { nextTurn } from './next-turn.ts';
 import { openScan } from './open-scan.ts';
 import { Preview } from './preview.ts';
 import { scanName } from './scan-name.ts';
-import { CELLS_TOLD_APART } from './thin/cell-hash.ts';
+import { CELLS_TOLD_APART } from './thin/cell-blocks.ts';
 import { diagonalOf, FARTHEST, powerOfTwoBelow, Thinning } from './thin/thinning.ts';
 
 export type ReadOptions = Pick<
@@ -38,6 +39,8 @@ export interface ReadControl {
   readonly signal?: AbortSignal | undefined;
 }
 
+/** Points after which a cancellation is listened for: some tens of milliseconds of the slowest decoder. */
+const POINTS_A_TURN = 1 << 16;
 /** Clouds of fewer points are checked for lying on a line here, others when they are oriented. */
 const CHECKED_POINTS = 1 << 16;
 
@@ -88,7 +91,7 @@ export async function readScan(
       thinning.coarsen(run.target);
     }
   }
-  thinning.close();
+  await listen(control);
   const bytes = sizeOfAll(sources) ?? run.bytesRead;
   const scan = makeScan(thinning, {
     name: run.name,
@@ -98,7 +101,8 @@ export async function readScan(
     target: run.target,
     warnings: run.warnings,
   });
-  if (thinning.count <= CHECKED_POINTS) checkSpread(scan.positions);
+  assertEnough(scan);
+  if (scan.facts.pointsKept <= CHECKED_POINTS) checkSpread(scan.positions);
   return scan;
 }
 
@@ -132,14 +136,19 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
     report(run, thinning?.read ?? 0);
   };
   const chunks = cloud.chunks(tell, cell ?? 0, options.pointBudget);
-  // Half: most scans lose more than that to thinning, and a table that proves too small grows once.
-  const expected = (cloud.pointsAnnounced ?? 0) / 2;
+  const expected = cloud.pointsAnnounced ?? 0;
+  let unheard = 0;
   for await (const read of chunks) {
     const chunk = filter ? filter.apply(read) : read;
     if (chunk.count === 0) continue;
     thinning ??= new Thinning({ cell: cell ?? firstCell(run, chunk), budget: options.pointBudget, expected });
     thinning.add(chunk);
     preview?.add(chunk);
+    unheard += chunk.count;
+    if (unheard >= POINTS_A_TURN) {
+      unheard = 0;
+      await listen(control);
+    }
   }
   preview?.flush();
   const objection = filter?.objection;
@@ -163,7 +172,7 @@ function readAgain(run: ReadRun, cell?: number): Promise<Thinning> {
 
 function report(run: ReadRun, points: number): void {
   const { sources, control, readings, readingsDone, bytesRead } = run;
-  if (control.signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
+  throwIfCancelled(control);
   const size = sizeOfAll(sources);
   const total = size === undefined ? Infinity : readings * size;
   run.told = Math.max(run.told, Math.min(total, readingsDone * (size ?? 0) + bytesRead));
@@ -172,6 +181,16 @@ function report(run: ReadRun, points: number): void {
     ...(size !== undefined && { totalBytes: total }),
     points,
   });
+}
+
+/** Hears a cancellation that waits for its turn. @throws cancelled */
+async function listen(control: ReadControl): Promise<void> {
+  if (control.signal) await nextTurn();
+  throwIfCancelled(control);
+}
+
+function throwIfCancelled({ signal }: ReadControl): void {
+  if (signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
 }
 
 function sizeOfAll(sources: readonly ByteSource[]): number | undefined {
@@ -212,9 +231,9 @@ function targetCell(run: ReadRun, { sample }: Thinning): number {
   return powerOfTwoBelow(resolution / metresPerUnit);
 }
 
-/** @throws input/empty, input/not-finite, input/too-few-points */
+/** @throws input/empty, input/not-finite */
 function assertPoints(name: string, thinning: Thinning): void {
-  const { read, dropped, count } = thinning;
+  const { read, dropped } = thinning;
   if (read === 0) throw noPoints(name);
   if (dropped === read) {
     throw new FloorPlanError(
@@ -226,13 +245,16 @@ function assertPoints(name: string, thinning: Thinning): void {
       },
     );
   }
-  if (count < 3) {
-    throw new FloorPlanError(
-      'input/too-few-points',
-      `${name}: expected at least 3 distinct points, found ${countOf(count, 'point')}`,
-      { hint: 'Check that the file holds the whole cloud.', detail: { points: count } },
-    );
-  }
+}
+
+/** @throws input/too-few-points */
+function assertEnough({ facts: { name, pointsKept } }: Scan): void {
+  if (pointsKept >= 3) return;
+  throw new FloorPlanError(
+    'input/too-few-points',
+    `${name}: expected at least 3 distinct points, found ${countOf(pointsKept, 'point')}`,
+    { hint: 'Check that the file holds the whole cloud.', detail: { points: pointsKept } },
+  );
 }
 
 function noPoints(name: string): FloorPlanError {
