@@ -1,4 +1,5 @@
 import { findBoundary } from './boundary.ts';
+import { countOf } from './count-words.ts';
 import { cropCloud } from './crop.ts';
 import { orient } from './frame.ts';
 import { vertexCount } from './geometry/rings.ts';
@@ -34,7 +35,7 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     'crop',
     options,
     () => cropCloud(whole, options),
-    ({ positions }) => (options.crop === 'none' ? 'no box' : count(positions.length / 3, 'point')),
+    ({ positions }) => (options.crop === 'none' ? 'no box' : countOf(positions.length / 3, 'point')),
   );
   const placeInSource = (x: number, y: number) => tellPlace(cloud.frame, x, y);
   const total = cloud.positions.length / 3;
@@ -42,7 +43,7 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     'outliers',
     options,
     (context) => removeOutliers(cloud, options, context),
-    (indices) => `${count(total - indices.length, 'outlier')}`,
+    (indices) => countOf(total - indices.length, 'outlier'),
   );
   const level = await run.stage(
     'level',
@@ -58,19 +59,19 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
       const walls = findWallPoints(cloud, kept, level, options, context);
       return makeSlice(cloud, walls.indices, walls.band, options);
     },
-    ({ xy }) => count(xy.length / 2, 'point'),
+    ({ xy }) => countOf(xy.length / 2, 'point'),
   );
   const boundary = await run.stage(
     'boundary',
     options,
     (context) => findBoundary(slice, options, { ...context, placeInSource }),
-    ({ polygons }) => count(vertexCount(polygons), 'vertex', 'vertices'),
+    ({ polygons }) => countOf(vertexCount(polygons), 'vertex', 'vertices'),
   );
   const regularised = await run.stage(
     'regularise',
     options,
     (context) => regulariseBoundary(boundary, slice, options, context),
-    ({ polygons }) => count(vertexCount(polygons), 'vertex', 'vertices'),
+    ({ polygons }) => countOf(vertexCount(polygons), 'vertex', 'vertices'),
   );
   const secondary = await run.stage(
     'secondary',
@@ -79,7 +80,7 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     ({ boundaries }) =>
       options.secondaryCount === 'auto'
         ? `${boundaries.length} proposed`
-        : count(boundaries.length, 'structure'),
+        : countOf(boundaries.length, 'structure'),
   );
   return run.stage(
     'plan',
@@ -88,7 +89,7 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
       const parts = { source: scan.facts, cloud, kept, boundary, regularised, secondary, options };
       return { ...makePlan(parts, { ...context, placeInSource }), warnings: [...run.warnings] };
     },
-    ({ storeys }) => count(storeys.length, 'storey'),
+    ({ storeys }) => countOf(storeys.length, 'storey'),
   );
 }
 
@@ -98,8 +99,4 @@ function tellPlace(frame: Frame, x: number, y: number): string {
   // Twice, since rounding may leave a negative zero.
   const read = (value: number) => Number(value.toFixed(to.digits)).toFixed(to.digits);
   return `(${read(to.x(x))}, ${read(to.y(y))}) ${sayUnit(frame.unit)}`;
-}
-
-function count(n: number, singular: string, plural = `${singular}s`): string {
-  return `${n.toLocaleString('en-GB')} ${n === 1 ? singular : plural}`;
 }

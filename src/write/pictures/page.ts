@@ -3,8 +3,6 @@ import { escapeXml } from '../xml.ts';
 import { element, path, pixels, text } from './marks.ts';
 import { INK, MUTED, PAPER } from './palette.ts';
 
-export { countOf } from '../../core/count-words.ts';
-
 /** All pictures are as wide, so that their texts are equally large side by side, px. */
 const WIDTH = 640;
 export const MARGIN = 24;

@@ -1,3 +1,4 @@
+import { countOf } from '../../core/count-words.ts';
 import { ringsOf } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import type { SecondaryBoundary } from '../../core/types.ts';
@@ -7,7 +8,7 @@ import { hatch } from '../hatch.ts';
 import { HATCHES } from '../secondary-hatch.ts';
 import { path } from './marks.ts';
 import { gapMarks, mappedRings } from './outline-pictures.ts';
-import { countOf, type Drawing } from './page.ts';
+import type { Drawing } from './page.ts';
 import { ACCENT, AMBER, INK } from './palette.ts';
 import { boundsOfAll, type TopView, topView } from './top-view.ts';
 

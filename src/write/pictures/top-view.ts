@@ -1,6 +1,5 @@
 import { type Bounds, boundsOf } from '../../core/geometry/rings.ts';
 import { createRandom } from '../../core/random.ts';
-
 import { CONTENT_WIDTH, MARGIN } from './page.ts';
 
 /** The tallest drawing that still shows whole beside its caption on a laptop's screen, and the flattest, px. */
