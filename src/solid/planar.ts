@@ -8,6 +8,8 @@ import {
   PolyTree64,
 } from 'clipper2-ts';
 import {
+  type Bounds,
+  boundsOfAll,
   orientRing,
   perimeter,
   polygonArea,
@@ -145,9 +147,10 @@ function toRing(node: PolyPath64, origin: Origin, turn: 'counter-clockwise' | 'c
 
 /** Squares around the vertices of an area that lie on an edge they do not belong to. Near-linear by a grid over the edges. */
 export function pinchesOf(polygons: readonly Polygon[], scale = 1): Polygon[] {
-  const { x, y, next, polygonOf } = edgesOf(polygons);
+  const edges = edgesOf(polygons);
+  const { x, y, polygonOf } = edges;
   if (x.length === 0) return [];
-  const grid = gridOver(x, y, next);
+  const grid = gridOver(edges, boundsOfAll(ringsOf(polygons)));
   const half = scale * PINCH_HALF;
   const pinches: Polygon[] = [];
   for (let v = 0; v < x.length; v++) {
@@ -194,22 +197,12 @@ function edgesOf(polygons: readonly Polygon[]): Edges {
 }
 
 /** As many cells as edges: a long edge then passes about √n of them. */
-function gridOver(x: Float64Array, y: Float64Array, next: Int32Array): SegmentGrid {
-  const [minX, maxX, minY, maxY] = [...rangeOf(x), ...rangeOf(y)];
-  const [width, height] = [maxX - minX, maxY - minY];
+function gridOver({ x, y, next }: Edges, bounds: Bounds): SegmentGrid {
+  const [width, height] = [bounds.maxX - bounds.minX, bounds.maxY - bounds.minY];
   const cell = Math.max(Math.sqrt((width * height) / x.length), Math.max(width, height) / x.length) || 1;
-  const grid = new SegmentGrid(x, y, { minX, minY, maxX, maxY }, cell);
+  const grid = new SegmentGrid(x, y, bounds, cell);
   for (let e = 0; e < x.length; e++) grid.add(e, next[e]);
   return grid;
-}
-
-function rangeOf(values: Float64Array): readonly [least: number, most: number] {
-  let [least, most] = [Infinity, -Infinity];
-  for (const value of values) {
-    least = Math.min(least, value);
-    most = Math.max(most, value);
-  }
-  return [least, most];
 }
 
 const squareAround = (x: number, y: number, half: number): Ring =>

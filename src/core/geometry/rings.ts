@@ -92,6 +92,17 @@ export function boundsOf(xy: ArrayLike<number>): Bounds {
   return { minX, minY, maxX, maxY };
 }
 
+/** The box around several runs of x, y pairs. */
+export function boundsOfAll(parts: readonly ArrayLike<number>[]): Bounds {
+  const boxes = parts.map(boundsOf);
+  return {
+    minX: Math.min(...boxes.map(({ minX }) => minX)),
+    minY: Math.min(...boxes.map(({ minY }) => minY)),
+    maxX: Math.max(...boxes.map(({ maxX }) => maxX)),
+    maxY: Math.max(...boxes.map(({ maxY }) => maxY)),
+  };
+}
+
 export function perimeter(ring: Ring): number {
   let length = 0;
   let j = ring.length - 2;

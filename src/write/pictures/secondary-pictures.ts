@@ -1,6 +1,6 @@
 /** How secondary boundaries are found ([Stojanovic19] §3.1, Fig. 3), seen from above. */
 import { countOf } from '../../core/count-words.ts';
-import { ringsOf, vertexCount } from '../../core/geometry/rings.ts';
+import { boundsOfAll, ringsOf, vertexCount } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import type { ClusterSearch, Polygon, SecondaryResult, SecondaryRound, Slice } from '../../core/types.ts';
 import { dots, element, path, pixels } from './marks.ts';
@@ -8,7 +8,7 @@ import { mappedRings, outlineMarks } from './outline-pictures.ts';
 import { CONTENT_WIDTH, type Drawing, MARGIN } from './page.ts';
 import { ACCENT, clusterColour, INK, OKABE_ITO, PALE } from './palette.ts';
 import type { PictureFacts } from './picture.ts';
-import { boundsOfAll, shownShare, type TopView, thinned, topView } from './top-view.ts';
+import { shownShare, type TopView, thinned, topView } from './top-view.ts';
 
 type Results = Partial<StageResults>;
 
