@@ -25,42 +25,8 @@ const TOLD_PRECISION = 0.01;
  * @throws option/…, input/degenerate, input/too-few-points, result/…, cancelled
  */
 export async function planScan(scan: Scan, options: Options, run: PipelineRun): Promise<FloorPlan> {
-  const whole = await run.stage(
-    'frame',
-    options,
-    (context) => orient(scan, options, context),
-    ({ frame }) => `${frame.up} up, ${sayScale(frame.unit, frame.metresPerUnit)}`,
-  );
-  const cloud = await run.stage(
-    'crop',
-    options,
-    () => cropCloud(whole, options),
-    ({ positions }) => (options.crop === 'none' ? 'no box' : countOf(positions.length / 3, 'point')),
-  );
+  const { cloud, kept, slice } = await sliceScan(scan, options, run);
   const placeInSource = (x: number, y: number) => tellPlace(cloud.frame, x, y);
-  const total = cloud.positions.length / 3;
-  const kept = await run.stage(
-    'outliers',
-    options,
-    (context) => removeOutliers(cloud, options, context),
-    (indices) => countOf(total - indices.length, 'outlier'),
-  );
-  const level = await run.stage(
-    'level',
-    options,
-    (context) => chooseLevel(cloud, kept, options, context),
-    // A ready slice has no heights.
-    ({ band: [low, high] }) => (low < high ? `${low.toFixed(2)} to ${high.toFixed(2)} m` : 'as it came'),
-  );
-  const slice = await run.stage(
-    'slice',
-    options,
-    (context) => {
-      const walls = findWallPoints(cloud, kept, level, options, context);
-      return makeSlice(cloud, walls.indices, walls.band, options);
-    },
-    ({ xy }) => countOf(xy.length / 2, 'point'),
-  );
   const boundary = await run.stage(
     'boundary',
     options,
@@ -91,6 +57,46 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     },
     ({ storeys }) => countOf(storeys.length, 'storey'),
   );
+}
+
+/** The stages up to the points that outlines are made from. */
+async function sliceScan(scan: Scan, options: Options, run: PipelineRun) {
+  const whole = await run.stage(
+    'frame',
+    options,
+    (context) => orient(scan, options, context),
+    ({ frame }) => `${frame.up} up, ${sayScale(frame.unit, frame.metresPerUnit)}`,
+  );
+  const cloud = await run.stage(
+    'crop',
+    options,
+    () => cropCloud(whole, options),
+    ({ positions }) => (options.crop === 'none' ? 'no box' : countOf(positions.length / 3, 'point')),
+  );
+  const total = cloud.positions.length / 3;
+  const kept = await run.stage(
+    'outliers',
+    options,
+    (context) => removeOutliers(cloud, options, context),
+    (indices) => countOf(total - indices.length, 'outlier'),
+  );
+  const level = await run.stage(
+    'level',
+    options,
+    (context) => chooseLevel(cloud, kept, options, context),
+    // A ready slice has no heights.
+    ({ band: [low, high] }) => (low < high ? `${low.toFixed(2)} to ${high.toFixed(2)} m` : 'as it came'),
+  );
+  const slice = await run.stage(
+    'slice',
+    options,
+    (context) => {
+      const walls = findWallPoints(cloud, kept, level, options, context);
+      return makeSlice(cloud, walls.indices, walls.band, options);
+    },
+    ({ xy }) => countOf(xy.length / 2, 'point'),
+  );
+  return { cloud, kept, slice };
 }
 
 /** Seen from above: (691823.12, 5336027.50) m. */
