@@ -17,6 +17,7 @@ import type { Axis, Polygon } from '../../../src/core/types.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
 import { Session } from '../../../src/session/session.ts';
 import { areaOf, combine } from '../../../src/solid/planar.ts';
+import { SCENES } from '../../scenes.ts';
 import { memorySource } from '../read/memory-source.ts';
 
 /** How the same building may lie in a file: with its axes named otherwise, and tilted. */
@@ -94,10 +95,6 @@ it('an empty corridor, which nothing tells from one turned over, is not turned o
     expect((await planOf(points)).up).toBe('z');
   }
 });
-
-/** A few of the scenes with exact truth, beside the project; set GRUNDRISS_SCENES to another folder. */
-const SCENES =
-  process.env.GRUNDRISS_SCENES ?? new URL('../../../../shared/scenes/', import.meta.url).pathname;
 
 describe.skipIf(!existsSync(SCENES))(`scenes of ${SCENES} (skipped when absent)`, () => {
   it.each(['home_l', 'home_rect', 'floor_office'])('%s has one plan, whichever axis is up', async (name) => {
