@@ -1,12 +1,5 @@
-import {
-  Clipper64,
-  ClipType,
-  FillRule,
-  type Path64,
-  type Paths64,
-  type PolyPath64,
-  PolyTree64,
-} from 'clipper2-ts';
+import { Clipper64, ClipType, FillRule, type Path64, type Paths64, PolyTree64 } from 'clipper2-ts';
+import { polygonsOf } from '../core/geometry/poly-tree.ts';
 import {
   type Bounds,
   boundsOfAll,
@@ -69,9 +62,7 @@ export function combine(
   if (clip.length > 0) clipper.addClip(toPaths(clip, origin));
   const tree = new PolyTree64();
   clipper.execute(CLIP_TYPES[operation], FillRule.Positive, tree);
-  const polygons: Polygon[] = [];
-  collectPolygons(tree, origin, polygons);
-  return polygons;
+  return polygonsOf(tree, (path, turn) => toRing(path, origin, turn));
 }
 
 /**
@@ -120,24 +111,7 @@ const toSteps = (metres: number, origin: number): number => Math.round((metres -
 const toMetres = (steps: number, origin: number): number =>
   (origin * STEPS_PER_METRE + steps) / STEPS_PER_METRE;
 
-/** The tree alternates outer rings and holes; islands within holes become polygons of their own. */
-function collectPolygons(node: PolyPath64, origin: Origin, into: Polygon[]): void {
-  for (let i = 0; i < node.count; i++) {
-    const outerNode = node.child(i);
-    const outer = toRing(outerNode, origin, 'counter-clockwise');
-    const holes: Ring[] = [];
-    for (let j = 0; j < outerNode.count; j++) {
-      const holeNode = outerNode.child(j);
-      const hole = toRing(holeNode, origin, 'clockwise');
-      if (hole !== null) holes.push(hole);
-      collectPolygons(holeNode, origin, into);
-    }
-    if (outer !== null) into.push({ outer, holes });
-  }
-}
-
-function toRing(node: PolyPath64, origin: Origin, turn: 'counter-clockwise' | 'clockwise'): Ring | null {
-  const path = node.poly ?? [];
+function toRing(path: Path64, origin: Origin, turn: 'counter-clockwise' | 'clockwise'): Ring | null {
   const ring = Float64Array.from(
     path.flatMap(({ x, y }) => [toMetres(x, origin[0]), toMetres(y, origin[1])]),
   );

@@ -1,6 +1,6 @@
 /** How secondary boundaries are found ([Stojanovic19] §3.1, Fig. 3), seen from above. */
 import { countOf } from '../../core/count-words.ts';
-import { boundsOfAll, ringsOf, vertexCount } from '../../core/geometry/rings.ts';
+import { type Bounds, boundsOfAll, ringsOf, vertexCount } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import type { ClusterSearch, Polygon, SecondaryResult, SecondaryRound, Slice } from '../../core/types.ts';
 import { dots, element, path, pixels } from './marks.ts';
@@ -198,7 +198,7 @@ function strokeBand(outline: Float64Array, width: number, view: TopView): string
   });
 }
 
-function grown({ minX, minY, maxX, maxY }: ReturnType<typeof boundsOfAll>): ReturnType<typeof boundsOfAll> {
+function grown({ minX, minY, maxX, maxY }: Bounds): Bounds {
   const by = SURROUNDINGS * Math.max(maxX - minX, maxY - minY);
   return { minX: minX - by, minY: minY - by, maxX: maxX + by, maxY: maxY + by };
 }
