@@ -10,7 +10,7 @@ import {
   signedArea,
   vertexCount,
 } from '../core/geometry/rings.ts';
-import { SegmentGrid } from '../core/geometry/segment-grid.ts';
+import { cellFor, SegmentGrid } from '../core/geometry/segment-grid.ts';
 import { squaredDistanceToSegment } from '../core/geometry/segments.ts';
 import type { Polygon, Ring } from '../core/types.ts';
 
@@ -170,11 +170,8 @@ function edgesOf(polygons: readonly Polygon[]): Edges {
   return { x, y, next, polygonOf };
 }
 
-/** As many cells as edges: a long edge then passes about √n of them. */
 function gridOver({ x, y, next }: Edges, bounds: Bounds): SegmentGrid {
-  const [width, height] = [bounds.maxX - bounds.minX, bounds.maxY - bounds.minY];
-  const cell = Math.max(Math.sqrt((width * height) / x.length), Math.max(width, height) / x.length) || 1;
-  const grid = new SegmentGrid(x, y, bounds, cell);
+  const grid = new SegmentGrid(x, y, bounds, cellFor(bounds, x.length));
   for (let e = 0; e < x.length; e++) grid.add(e, next[e]);
   return grid;
 }

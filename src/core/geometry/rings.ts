@@ -50,13 +50,19 @@ export function reverseRing(ring: Ring): Ring {
   return reversed;
 }
 
+/** Number of the leftmost (lowest of equals) vertex. */
+export function leastVertex(ring: Ring): number {
+  let least = 0;
+  for (let i = 2; i < ring.length; i += 2) {
+    if (ring[i] < ring[least] || (ring[i] === ring[least] && ring[i + 1] < ring[least + 1])) least = i;
+  }
+  return least / 2;
+}
+
 /** Whether a simple ring turns counter-clockwise, exactly: its turn at the leftmost (lowest of equals) vertex. */
 export function isCounterClockwise(ring: Ring): boolean {
   const n = ring.length;
-  let least = 0;
-  for (let i = 2; i < n; i += 2) {
-    if (ring[i] < ring[least] || (ring[i] === ring[least] && ring[i + 1] < ring[least + 1])) least = i;
-  }
+  const least = 2 * leastVertex(ring);
   const before = (least + n - 2) % n;
   const after = (least + 2) % n;
   return (
