@@ -90,6 +90,8 @@ export default defineConfig(({ mode }) => ({
   ...(builds[mode] ?? site),
   test: {
     include: ['tests/{unit,property,golden,accuracy,reproduction}/**/*.test.ts'],
+    // Its own default leaves a core to others.
+    maxWorkers: '100%',
     testTimeout: 60_000,
     hookTimeout: 60_000,
     // The CSG packages resolve to CommonJS under Node and would load a second three.

@@ -3,9 +3,9 @@ import { FloorPlanError } from './errors.ts';
 import { checkSpread } from './frame/check-spread.ts';
 import { findHeightPlanes } from './frame/height-planes.ts';
 import { FLOOR_COSINE, refinedPlanes } from './frame/refined-planes.ts';
-import { boundsOf } from './frame/robust-scale.ts';
 import { surfacePatches } from './frame/surface-patches.ts';
 import type { Options } from './params.ts';
+import { boundsOf } from './robust-scale.ts';
 import { planPlace, sayUnit } from './source-coordinates.ts';
 import type { Frame, PointAttributes, PointCloud } from './types.ts';
 

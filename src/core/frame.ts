@@ -5,7 +5,6 @@ import { findGravity, type Gravity } from './frame/gravity.ts';
 import { findHeightPlanes } from './frame/height-planes.ts';
 import { type JudgedUnit, judgeSliceUnit, judgeUnitFrom, statedUnit } from './frame/judge-unit.ts';
 import { FLOOR_COSINE, refinedPlanes } from './frame/refined-planes.ts';
-import { boundsOf, largestExtent, trimmedBounds } from './frame/robust-scale.ts';
 import {
   axisVector,
   multiply,
@@ -16,6 +15,7 @@ import {
 } from './frame/rotation.ts';
 import { type SurfacePatches, surfacePatches } from './frame/surface-patches.ts';
 import type { Options } from './params.ts';
+import { boundsOf, largestExtent, trimmedBounds } from './robust-scale.ts';
 import type { Axis, Frame, PointCloud, Scan, Vec3 } from './types.ts';
 
 /**

@@ -1,11 +1,11 @@
 import type { StageContext } from './context.ts';
 import { EXTENT } from './frame/judge-unit.ts';
-import { largestExtent, trimmedBounds } from './frame/robust-scale.ts';
 import { perimeter, polygonArea } from './geometry/rings.ts';
 import { storeyRange } from './level.ts';
 import type { Options } from './params.ts';
 import { placeDoors } from './place-doors.ts';
 import { fillsInside, penReach, strokeContour } from './plan-walls.ts';
+import { largestExtent, trimmedBounds } from './robust-scale.ts';
 import type {
   Boundary,
   FloorPlan,

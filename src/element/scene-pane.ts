@@ -72,7 +72,6 @@ export class ScenePane {
     const isNew = subject !== this.#subject;
     this.#subject = subject;
     scene.show(contentOf(view), isNew);
-    scene.showLayers(this.#layers);
   }
 
   async preview(positions: Float32Array): Promise<void> {
@@ -92,20 +91,19 @@ export class ScenePane {
 
   async #make(): Promise<SceneView | null> {
     const life = this.#life;
-    try {
-      const { SceneView } = await import('../view/scene.ts');
-      if (life !== this.#life) return null;
-      this.#scene = new SceneView(this.#host, {
-        onFailed: (error) => this.#fail(`${error.message} ${error.hint} (${error.code})`),
-        ...this.#axes,
-      });
-      return this.#scene;
-    } catch {
+    const module = await import('../view/scene.ts').catch(() => null);
+    if (life !== this.#life) return null;
+    if (!module) {
       this.#fail(
         'The part of the program that shows the model could not be fetched. Reload the page to try again.',
       );
       return null;
     }
+    this.#scene = new module.SceneView(this.#host, this.#layers, {
+      onFailed: (error) => this.#fail(`${error.message} ${error.hint} (${error.code})`),
+      ...this.#axes,
+    });
+    return this.#scene;
   }
 
   #fail(words: string): void {

@@ -79,13 +79,13 @@ export class AxisGizmo {
   /** Turns the axes as a camera of this orientation sees them. CSS points y down. */
   turn(camera: Quaternion): void {
     this.#camera = camera.clone();
+    if (this.#axes.length === 0) return;
     const seen = this.#axes.map((axis) => axis.clone().applyQuaternion(camera.clone().invert()));
     for (const [k, tip] of seen.entries()) {
       this.#arms[k].setAttribute('x2', (REACH * tip.x).toFixed(1));
       this.#arms[k].setAttribute('y2', (-REACH * tip.y).toFixed(1));
     }
     for (const { index, sign, node } of this.#ends) {
-      if (seen.length === 0) return;
       const { x, y, z } = seen[index].clone().multiplyScalar(sign);
       node.style.transform = `translate(${(REACH * x).toFixed(1)}px, ${(-REACH * y).toFixed(1)}px)`;
       // What is nearer to the eye lies above.

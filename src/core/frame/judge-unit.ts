@@ -1,9 +1,9 @@
 import type { Options } from '../params.ts';
+import { boundsOf, largestExtent, trimmedBounds } from '../robust-scale.ts';
 import { sayScale } from '../source-coordinates.ts';
 import type { FrameUnit, Scan, Unit } from '../types.ts';
 import { findGravity } from './gravity.ts';
 import type { HeightPlane } from './height-planes.ts';
-import { boundsOf, largestExtent, trimmedBounds } from './robust-scale.ts';
 import { surfacePatches } from './surface-patches.ts';
 
 const METRES: Readonly<Record<Exclude<Unit, 'px'>, number>> = {

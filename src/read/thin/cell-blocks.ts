@@ -31,7 +31,7 @@ export interface BlockOptions {
  * cell to another are left out, by a table of the block's cells that fits the cache.
  *
  * So memory is walked through block by block, as in a partitioned hash join, not cell by cell: a table of all cells took
- * 1.3 to 1.6 × the processor time. Complexity: O(points).
+ * up to 1.6 × the processor time. Complexity: O(points).
  */
 export class CellBlocks {
   readonly cell: number;
