@@ -14,7 +14,7 @@ const external = [
 /** What the built page may do: run and show its own files, and fetch the scan a person names. */
 const policy = [
   "default-src 'none'",
-  // WebAssembly decompresses LAZ.
+  // WebAssembly decompresses LAZ, and models packed by Draco or meshopt.
   "script-src 'self' 'wasm-unsafe-eval'",
   "style-src 'self'",
   "img-src 'self' data: blob:",
@@ -90,6 +90,8 @@ export default defineConfig(({ mode }) => ({
   ...(builds[mode] ?? site),
   test: {
     include: ['tests/{unit,property,golden,accuracy,reproduction}/**/*.test.ts'],
+    // Its own default leaves a core to others.
+    maxWorkers: '100%',
     testTimeout: 60_000,
     hookTimeout: 60_000,
     // The CSG packages resolve to CommonJS under Node and would load a second three.

@@ -12,8 +12,6 @@ export interface Command {
   readonly isMerge: boolean;
   readonly formats: readonly string[];
   readonly options: GivenValues;
-  /** Errors as JSON. */
-  readonly isJson: boolean;
   readonly task: 'run' | 'help' | 'version';
 }
 
@@ -29,7 +27,6 @@ export function parseArguments(words: readonly string[]): Command {
   const options: GivenValues = {};
   let folder = '';
   let formats: readonly string[] = WRITE_FORMAT_NAMES.filter((name) => !isOnRequest(name));
-  let isJson = false;
   let isMerge = false;
   let task: Command['task'] = 'run';
 
@@ -46,15 +43,16 @@ export function parseArguments(words: readonly string[]): Command {
       Object.assign(options, parseParam(PARAM_OF_FLAG.get(`--${flag.slice(5)}`)!, 'false'));
     } else if (flag === '-o' || flag === '--out') folder = value();
     else if (flag === '--formats') formats = parseFormats(value());
-    else if (flag === '--json') isJson = true;
     else if (flag === '--merge') isMerge = true;
     else if (flag === '-h' || flag === '--help') task = 'help';
     else if (flag === '--version') task = 'version';
+    // Looked for by whoever tells of errors: words that cannot be read are told of as JSON too.
+    else if (flag === '--json') continue;
     else if (word.startsWith('-') && word !== '-') unknownFlag(flag);
     else inputs.push(word);
   }
   if (task === 'run') checkComplete(inputs, folder);
-  return { inputs, folder, formats, options, isJson, isMerge, task };
+  return { inputs, folder, formats, options, isMerge, task };
 }
 
 function splitFlag(word: string): [flag: string, inline: string | undefined] {

@@ -58,7 +58,7 @@ export function valueWords(row: ParamRow): string {
     case 'classes':
       return 'all|CODE,CODE-CODE,…';
     case 'crop':
-      return 'none|x0,y0,x1,y1[,z0,z1]';
+      return 'none|x0,y0,x1,y1[,z0,z1][@heading]';
   }
 }
 

@@ -1,8 +1,8 @@
 import { open, stat } from 'node:fs/promises';
 import { basename } from 'node:path';
 import { FloorPlanError } from '../core/errors.ts';
-import { blobSource, PIECE_BYTES } from '../read/bytes/blob-source.ts';
-import type { ByteSource } from '../read/bytes/source.ts';
+import { blobSource } from '../read/bytes/blob-source.ts';
+import { type ByteSource, PIECE_BYTES } from '../read/bytes/source.ts';
 
 /** Of a pipe, which is kept whole in memory. */
 const MAX_PIPE_BYTES = 2 ** 31;

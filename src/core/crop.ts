@@ -3,9 +3,9 @@ import { FloorPlanError } from './errors.ts';
 import { checkSpread } from './frame/check-spread.ts';
 import { findHeightPlanes } from './frame/height-planes.ts';
 import { FLOOR_COSINE, refinedPlanes } from './frame/refined-planes.ts';
-import { boundsOf } from './frame/robust-scale.ts';
 import { surfacePatches } from './frame/surface-patches.ts';
 import type { Options } from './params.ts';
+import { boundsOf } from './robust-scale.ts';
 import { planPlace, sayUnit } from './source-coordinates.ts';
 import type { Frame, PointAttributes, PointCloud } from './types.ts';
 
@@ -46,7 +46,16 @@ export function isWithin(frame: Frame, box: CropBox): (x: number, y: number, z: 
   const [minZ, maxZ] = (box.heights ?? [-Infinity, Infinity]).map(
     (height) => (height - frame.planOrigin[2]) * frame.metresPerUnit,
   );
-  return (x, y, z) => x >= minX && x <= maxX && y >= minY && y <= maxY && z >= minZ && z <= maxZ;
+  const isSquare = (x: number, y: number, z: number) =>
+    x >= minX && x <= maxX && y >= minY && y <= maxY && z >= minZ && z <= maxZ;
+  if (box.heading === 0) return isSquare;
+  const [midX, midY] = [(minX + maxX) / 2, (minY + maxY) / 2];
+  const heading = (box.heading * Math.PI) / 180;
+  const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
+  return (x, y, z) => {
+    const [dx, dy] = [x - midX, y - midY];
+    return isSquare(midX + cos * dx + sin * dy, midY + cos * dy - sin * dx, z);
+  };
 }
 
 /** Indices, rising. */

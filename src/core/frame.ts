@@ -5,7 +5,6 @@ import { findGravity, type Gravity } from './frame/gravity.ts';
 import { findHeightPlanes } from './frame/height-planes.ts';
 import { type JudgedUnit, judgeSliceUnit, judgeUnitFrom, statedUnit } from './frame/judge-unit.ts';
 import { FLOOR_COSINE, refinedPlanes } from './frame/refined-planes.ts';
-import { boundsOf, largestExtent, trimmedBounds } from './frame/robust-scale.ts';
 import {
   axisVector,
   multiply,
@@ -16,6 +15,7 @@ import {
 } from './frame/rotation.ts';
 import { type SurfacePatches, surfacePatches } from './frame/surface-patches.ts';
 import type { Options } from './params.ts';
+import { boundsOf, largestExtent, trimmedBounds } from './robust-scale.ts';
 import type { Axis, Frame, PointCloud, Scan, Vec3 } from './types.ts';
 
 /**
@@ -42,13 +42,7 @@ export function orient(scan: Scan, options: Options, context: StageContext): Poi
   const patches = surfacePatches(scan.positions);
   context.progress(0.4);
   const gravity = findGravity(scan.positions, patches, options.up, scan.up);
-  if (gravity.isDoubtful) {
-    context.warn({
-      code: 'frame/up-guessed',
-      message: gravity.reason,
-      hint: 'If the plan shows a side view, set the up axis.',
-    });
-  }
+  warnOfDoubt(gravity, context);
   const known = statedUnit(scan, options);
   const unit = known ?? judgeUnitFrom(gravity.planes.strong, largestExtent(trimmedBounds(scan.positions)));
   warnOfGuess(unit, context);
@@ -160,6 +154,16 @@ function findTilt(
     hint: 'Switch levelling off to keep its own axes.',
   });
   return tilted;
+}
+
+function warnOfDoubt({ up, reason, doubt }: Gravity, context: StageContext): void {
+  if (!doubt) return;
+  const opposite = up.startsWith('-') ? up.slice(1) : `-${up}`;
+  const hints = {
+    axis: 'If the plan shows a side view, set the up axis.',
+    end: `If the plan is mirrored, the scan lies upside down: set the up axis to ${opposite}.`,
+  };
+  context.warn({ code: 'frame/up-guessed', message: reason, hint: hints[doubt] });
 }
 
 function warnOfGuess(unit: JudgedUnit, context: StageContext): void {

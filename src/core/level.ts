@@ -1,8 +1,8 @@
 import type { StageContext } from './context.ts';
 import { FloorPlanError } from './errors.ts';
-import { DEVIATION_BY_MEDIAN, medianOf } from './frame/robust-scale.ts';
 import type { LevelChoice } from './param-rows.ts';
 import type { Options } from './params.ts';
+import { DEVIATION_BY_MEDIAN, medianOf } from './robust-scale.ts';
 import type { Level, PointCloud } from './types.ts';
 
 /** Reach around a floor or ceiling plane in which its own noise is measured, m. */

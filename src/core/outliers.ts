@@ -1,10 +1,10 @@
 import { CellTable } from './cell-table.ts';
 import type { StageContext } from './context.ts';
-import { largestExtent, medianOf, trimmedBounds } from './frame/robust-scale.ts';
 import { indexCells } from './outliers/cell-index.ts';
 import { flagFarComponents } from './outliers/far-components.ts';
 import { flagLonely, meanNeighbourDistance } from './outliers/neighbour-search.ts';
 import type { Options } from './params.ts';
+import { largestExtent, medianOf, trimmedBounds } from './robust-scale.ts';
 import type { PointCloud } from './types.ts';
 
 /** Points whose neighbour distances stand for all. */

@@ -59,7 +59,7 @@ export interface DoorsRow extends RowFacts<string> {
 export interface ClassesRow extends RowFacts<string> {
   readonly kind: 'classes';
 }
-/** `none`, or a box `x0,y0,x1,y1[,z0,z1]` in source units and coordinates; `parseCrop` reads it. */
+/** `none`, or a box `x0,y0,x1,y1[,z0,z1][@heading]` in source units and coordinates; `parseCrop` reads it. */
 export interface CropRow extends RowFacts<string> {
   readonly kind: 'crop';
 }

@@ -1,4 +1,5 @@
 import { findBoundary } from './boundary.ts';
+import { countOf } from './count-words.ts';
 import { cropCloud } from './crop.ts';
 import { orient } from './frame.ts';
 import { vertexCount } from './geometry/rings.ts';
@@ -24,6 +25,42 @@ const TOLD_PRECISION = 0.01;
  * @throws option/…, input/degenerate, input/too-few-points, result/…, cancelled
  */
 export async function planScan(scan: Scan, options: Options, run: PipelineRun): Promise<FloorPlan> {
+  const { cloud, kept, slice } = await sliceScan(scan, options, run);
+  const placeInSource = (x: number, y: number) => tellPlace(cloud.frame, x, y);
+  const boundary = await run.stage(
+    'boundary',
+    options,
+    (context) => findBoundary(slice, options, { ...context, placeInSource }),
+    ({ polygons }) => countOf(vertexCount(polygons), 'vertex', 'vertices'),
+  );
+  const regularised = await run.stage(
+    'regularise',
+    options,
+    (context) => regulariseBoundary(boundary, slice, options, context),
+    ({ polygons }) => countOf(vertexCount(polygons), 'vertex', 'vertices'),
+  );
+  const secondary = await run.stage(
+    'secondary',
+    options,
+    (context) => findSecondary(slice, regularised, options, context),
+    ({ boundaries }) =>
+      options.secondaryCount === 'auto'
+        ? `${boundaries.length} proposed`
+        : countOf(boundaries.length, 'structure'),
+  );
+  return run.stage(
+    'plan',
+    options,
+    (context) => {
+      const parts = { source: scan.facts, cloud, kept, boundary, regularised, secondary, options };
+      return { ...makePlan(parts, { ...context, placeInSource }), warnings: [...run.warnings] };
+    },
+    ({ storeys }) => countOf(storeys.length, 'storey'),
+  );
+}
+
+/** The stages up to the points that outlines are made from. */
+async function sliceScan(scan: Scan, options: Options, run: PipelineRun) {
   const whole = await run.stage(
     'frame',
     options,
@@ -34,15 +71,14 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
     'crop',
     options,
     () => cropCloud(whole, options),
-    ({ positions }) => (options.crop === 'none' ? 'no box' : count(positions.length / 3, 'point')),
+    ({ positions }) => (options.crop === 'none' ? 'no box' : countOf(positions.length / 3, 'point')),
   );
-  const placeInSource = (x: number, y: number) => tellPlace(cloud.frame, x, y);
   const total = cloud.positions.length / 3;
   const kept = await run.stage(
     'outliers',
     options,
     (context) => removeOutliers(cloud, options, context),
-    (indices) => `${count(total - indices.length, 'outlier')}`,
+    (indices) => countOf(total - indices.length, 'outlier'),
   );
   const level = await run.stage(
     'level',
@@ -58,38 +94,9 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
       const walls = findWallPoints(cloud, kept, level, options, context);
       return makeSlice(cloud, walls.indices, walls.band, options);
     },
-    ({ xy }) => count(xy.length / 2, 'point'),
+    ({ xy }) => countOf(xy.length / 2, 'point'),
   );
-  const boundary = await run.stage(
-    'boundary',
-    options,
-    (context) => findBoundary(slice, options, { ...context, placeInSource }),
-    ({ polygons }) => count(vertexCount(polygons), 'vertex', 'vertices'),
-  );
-  const regularised = await run.stage(
-    'regularise',
-    options,
-    (context) => regulariseBoundary(boundary, slice, options, context),
-    ({ polygons }) => count(vertexCount(polygons), 'vertex', 'vertices'),
-  );
-  const secondary = await run.stage(
-    'secondary',
-    options,
-    (context) => findSecondary(slice, regularised, options, context),
-    ({ boundaries }) =>
-      options.secondaryCount === 'auto'
-        ? `${boundaries.length} proposed`
-        : count(boundaries.length, 'structure'),
-  );
-  return run.stage(
-    'plan',
-    options,
-    (context) => {
-      const parts = { source: scan.facts, cloud, kept, boundary, regularised, secondary, options };
-      return { ...makePlan(parts, { ...context, placeInSource }), warnings: [...run.warnings] };
-    },
-    ({ storeys }) => count(storeys.length, 'storey'),
-  );
+  return { cloud, kept, slice };
 }
 
 /** Seen from above: (691823.12, 5336027.50) m. */
@@ -98,8 +105,4 @@ function tellPlace(frame: Frame, x: number, y: number): string {
   // Twice, since rounding may leave a negative zero.
   const read = (value: number) => Number(value.toFixed(to.digits)).toFixed(to.digits);
   return `(${read(to.x(x))}, ${read(to.y(y))}) ${sayUnit(frame.unit)}`;
-}
-
-function count(n: number, singular: string, plural = `${singular}s`): string {
-  return `${n.toLocaleString('en-GB')} ${n === 1 ? singular : plural}`;
 }

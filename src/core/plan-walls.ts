@@ -7,9 +7,9 @@ import {
   JoinType,
   type Path64,
   type Paths64,
-  type PolyPath64,
   PolyTree64,
 } from 'clipper2-ts';
+import { polygonsOf } from './geometry/poly-tree.ts';
 import { orientRing, perimeter, signedArea } from './geometry/rings.ts';
 import type { Options } from './params.ts';
 import type { Polygon, Ring } from './types.ts';
@@ -56,8 +56,7 @@ export function strokeContour({ outer, holes }: Polygon, reach: PenReach): Polyg
   clipper.addClip(offsetPaths(paths, -reach.inside));
   const tree = new PolyTree64();
   clipper.execute(ClipType.Difference, FillRule.NonZero, tree);
-  const polygons: Polygon[] = [];
-  collectPolygons(tree, grid, polygons);
+  const polygons = polygonsOf(tree, (path, turn) => grid.toRing(path, turn));
   return polygons.sort((a, b) => signedArea(b.outer) - signedArea(a.outer));
 }
 
@@ -79,21 +78,6 @@ function offsetPaths(paths: Paths64, distance: number): Paths64 {
   const grown: Paths64 = [];
   offset.execute(distance * STEPS_PER_METRE, grown);
   return grown;
-}
-
-/** The tree alternates outer rings and holes; islands within holes become polygons of their own. */
-function collectPolygons(node: PolyPath64, grid: LocalGrid, into: Polygon[]): void {
-  for (let i = 0; i < node.count; i++) {
-    const outerNode = node.child(i);
-    const outer = grid.toRing(outerNode.poly ?? [], 'counter-clockwise');
-    const holes: Ring[] = [];
-    for (let j = 0; j < outerNode.count; j++) {
-      const hole = grid.toRing(outerNode.child(j).poly ?? [], 'clockwise');
-      if (hole) holes.push(hole);
-      collectPolygons(outerNode.child(j), grid, into);
-    }
-    if (outer) into.push({ outer, holes });
-  }
 }
 
 /** Metres to whole micrometres around a ring and back, vertices that went in coming back unrounded. */

@@ -1,9 +1,11 @@
 import type { StageContext } from './context.ts';
-import { perimeter } from './geometry/rings.ts';
+import { EXTENT } from './frame/judge-unit.ts';
+import { perimeter, polygonArea } from './geometry/rings.ts';
 import { storeyRange } from './level.ts';
 import type { Options } from './params.ts';
 import { placeDoors } from './place-doors.ts';
 import { fillsInside, penReach, strokeContour } from './plan-walls.ts';
+import { largestExtent, trimmedBounds } from './robust-scale.ts';
 import type {
   Boundary,
   FloorPlan,
@@ -16,6 +18,8 @@ import type {
   Wall,
 } from './types.ts';
 
+/** Outlines that enclose less together are no room, m²: half of the smallest lavatory. */
+const LEAST_ROOM = 0.5;
 /** Height of walls where the scan shows none, m: a usual storey. */
 const ASSUMED_WALL_HEIGHT = 2.5;
 
@@ -46,6 +50,7 @@ export function makePlan(parts: PlanParts, context: Pick<StageContext, 'warn' | 
     confidence: supportedShare(polygon, gaps),
   }));
   warnOfFilled(regularised.polygons, options, context);
+  warnOfNoRoom(regularised.polygons, cloud, context);
   const storey = {
     index: 0,
     floor,
@@ -106,6 +111,25 @@ function warnOfFilled(
     code: 'plan/walls-fill-room',
     message: `Walls ${options.wallThickness} m thick fill ${what}: no room is left between them.`,
     hint: 'Make wallThickness smaller, or wallSide outside.',
+  });
+}
+
+/** Says where the outlines enclose no room: a machine was scanned, the level has no walls, or the unit is wrong. */
+function warnOfNoRoom(
+  polygons: readonly Polygon[],
+  { positions, reasons }: PointCloud,
+  { warn }: Pick<StageContext, 'warn'>,
+): void {
+  const area = polygons.reduce((sum, polygon) => sum + polygonArea(polygon), 0);
+  if (area >= LEAST_ROOM) return;
+  const extent = largestExtent(trimmedBounds(positions));
+  const isTiny = extent < EXTENT.least;
+  warn({
+    code: 'plan/no-room',
+    message: `No room was found: the outline encloses ${area.toPrecision(1)} m², in a scan whose longest side is ${extent.toPrecision(2)} m. ${reasons.unit}`,
+    hint: isTiny
+      ? 'That is tiny for a building: set the unit, or metresPerUnit from one length you know.'
+      : 'If walls show in the scan, set another level, by its heights too; of an object without walls around it no plan can be made.',
   });
 }
 

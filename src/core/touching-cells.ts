@@ -1,4 +1,5 @@
 import type { CellTable } from './cell-table.ts';
+import { rootOf, separateSets, unite } from './union-find.ts';
 
 /** The 13 neighbours of a cell that come after it in z, y, x order: each pair is looked at once. */
 const FORWARD: readonly (readonly [number, number, number])[] = [
@@ -13,8 +14,7 @@ const FORWARD: readonly (readonly [number, number, number])[] = [
  * @returns component of each cell, numbered from 0 in the order of their first cells. Linear in the cells.
  */
 export function joinTouchingCells(table: CellTable): Uint32Array {
-  const parent = new Uint32Array(table.count);
-  for (let cell = 0; cell < parent.length; cell++) parent[cell] = cell;
+  const parent = separateSets(table.count);
   for (let cell = 0; cell < parent.length; cell++) {
     const [cx, cy, cz] = table.coordinatesOf(cell);
     for (const [dx, dy, dz] of FORWARD) {
@@ -29,20 +29,4 @@ export function joinTouchingCells(table: CellTable): Uint32Array {
     component[cell] = root === cell ? count++ : component[root];
   }
   return component;
-}
-
-/** The smaller root becomes the root of both, so a component's root is its first cell. */
-function unite(parent: Uint32Array, a: number, b: number): void {
-  const [rootA, rootB] = [rootOf(parent, a), rootOf(parent, b)];
-  if (rootA < rootB) parent[rootB] = rootA;
-  else parent[rootA] = rootB;
-}
-
-function rootOf(parent: Uint32Array, cell: number): number {
-  let root = cell;
-  while (parent[root] !== root) {
-    parent[root] = parent[parent[root]];
-    root = parent[root];
-  }
-  return root;
 }

@@ -1,4 +1,4 @@
-import { make, setAttribute } from './make.ts';
+import { make } from './make.ts';
 import type { Actions, Panel } from './model.ts';
 
 const TOGETHER = 'all';
@@ -9,6 +9,7 @@ export function makeFileChoice(actions: Actions): Panel {
     class: 'file-choice',
     testid: 'file-choice',
     'aria-label': 'Files opened together',
+    title: 'All as one scan, or one of the files alone',
     hidden: true,
     on: { change: () => actions.pickFile(list.value === TOGETHER ? null : Number(list.value)) },
   });
@@ -27,7 +28,6 @@ export function makeFileChoice(actions: Actions): Panel {
       }
       const value = picked === null ? TOGETHER : String(picked);
       if (list.value !== value) list.value = value;
-      setAttribute(list, 'title', 'All as one scan, or one of the files alone');
     },
   };
 }

@@ -1,13 +1,11 @@
-export interface NamedBlob {
-  readonly name: string;
-  readonly blob: Blob;
-}
+import type { ExportedFile } from '../worker/protocol.ts';
 
 /** A download stays reachable this long after the click, ms: browsers read it late. */
 const LIFETIME = 60_000;
 
-/** Several files of one format as one ZIP. */
-export async function bundleFiles(files: readonly NamedBlob[], format: string): Promise<NamedBlob> {
+/** One file as it is, several of one format as one ZIP. */
+export async function bundleFiles(files: readonly ExportedFile[], format: string): Promise<ExportedFile> {
+  if (files.length === 1) return files[0];
   const { zipSync } = await import('fflate');
   const entries: Record<string, Uint8Array> = {};
   for (const { name, blob } of files) entries[name] = new Uint8Array(await blob.arrayBuffer());
@@ -20,7 +18,7 @@ export async function bundleFiles(files: readonly NamedBlob[], format: string): 
 }
 
 /** Hands a file to the person's downloads. */
-export function saveFile({ name, blob }: NamedBlob): void {
+export function saveFile({ name, blob }: ExportedFile): void {
   const url = URL.createObjectURL(blob);
   const link = document.createElement('a');
   link.href = url;

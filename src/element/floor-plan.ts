@@ -1,32 +1,26 @@
-import { FloorPlanError } from '../core/errors.ts';
 import { parseParam, resolveOptions } from '../core/options.ts';
 import type { GivenValues, ParamName } from '../core/params.ts';
 import type { FloorPlan } from '../core/types.ts';
-import { nameOf } from '../read/bytes/url-source.ts';
 import type { DisplayUnit } from '../view/measure.ts';
-import type { PictureOf, ScanFile } from '../worker/protocol.ts';
+import type { ScanFile } from '../worker/protocol.ts';
 import type { Spawn } from '../worker/spawn.ts';
 import { ATTRIBUTES, LAYOUTS, type Layout, PARAM_ATTRIBUTES, type PlanState } from './contract.ts';
 import { bundleFiles, saveFile } from './files.ts';
 import { GivenOptions } from './given-options.ts';
-import type { Actions, Model, Stretch, Tool } from './model.ts';
+import type { Actions, Model } from './model.ts';
 import { OpenedFiles } from './opened-files.ts';
+import { PlaceKeeper } from './place-keeper.ts';
 import { PlanMaker } from './plan-maker.ts';
+import { fileOf, type ScanSource } from './scan-source.ts';
+import { SheetChoice } from './sheet-choice.ts';
 import { Shell } from './shell.ts';
-import { StepChoice } from './step-choice.ts';
+import { pressKey } from './shortcuts.ts';
 import { adoptStyles } from './styles.ts';
+
+export type { ScanSource } from './scan-source.ts';
 
 /** Under Node there is no DOM: the class can be imported, not used. */
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
-
-/** Keys that leaf through the steps. */
-const STEP_KEYS: Readonly<Record<string, 1 | -1>> = { '[': -1, ']': 1 };
-
-/** Keys that take up a tool, or put it down. */
-const TOOL_KEYS: Readonly<Record<string, Tool>> = { d: 'doors', m: 'measure', c: 'crop' };
-
-/** A File, a Blob, or an address, absolute or relative to the page. */
-export type ScanSource = Blob | URL | string;
 
 /** A moved slider makes the plan again when it has rested this long, ms. */
 const REST = 140;
@@ -38,23 +32,28 @@ const REST = 140;
 export class FloorPlanElement extends Base {
   static readonly observedAttributes = [...Object.keys(ATTRIBUTES), ...PARAM_ATTRIBUTES.keys()];
 
-  readonly #given = new GivenOptions();
+  readonly #places = new PlaceKeeper();
+  readonly #given = new GivenOptions((before, next) => this.#places.carry(before, next));
   readonly #maker = new PlanMaker({
     onChange: () => this.#invalidate(),
     onScan: () => {
-      this.#storey = 0;
+      this.#sheet.showStorey(0);
+      this.#places.forget();
     },
+    onView: (view) => this.#places.learn({ frame: view.plan.frame, isSlice: view.isSlice }, view.options),
     onPreview: (positions) => this.#shell?.preview(positions),
     spawnWorker: () => this.#spawnWorker,
     emit: (type, detail) => this.dispatchEvent(new CustomEvent(type, { detail })),
   });
-  readonly #steps = new StepChoice(this.#maker);
+  readonly #sheet = new SheetChoice(this.#maker, {
+    onChange: () => this.#invalidate(),
+    // Where the model alone is shown, the 2D view needs a place.
+    onShow: () => this.getAttribute('view') === '3d' && this.setAttribute('view', 'split'),
+  });
+  readonly #actions = this.#makeActions();
   #shell: Shell | null = null;
   #spawnWorker: Spawn | null = null;
-  #storey = 0;
   readonly #files = new OpenedFiles();
-  #tool: Tool | null = null;
-  #marked: Stretch | null = null;
   #rest = 0;
   #frame = 0;
 
@@ -116,11 +115,11 @@ export class FloorPlanElement extends Base {
 
   /** Name of the step whose picture stands in place of the drawing, e.g. `hull`; null while the drawing is shown. */
   get step(): string | null {
-    return this.#steps.name;
+    return this.#sheet.step;
   }
 
   set step(name: string | null) {
-    this.#showStep(name);
+    this.#sheet.showStep(name);
   }
 
   get plan(): FloorPlan | null {
@@ -154,8 +153,7 @@ export class FloorPlanElement extends Base {
 
   /** The bytes of one format; several files come as a ZIP. @throws FloorPlanError */
   async export(format: string): Promise<Blob> {
-    const files = await this.#maker.files(format);
-    return files.length === 1 ? files[0].blob : (await bundleFiles(files, format)).blob;
+    return (await bundleFiles(await this.#maker.files(format), format)).blob;
   }
 
   /** Shows everything in both views. */
@@ -166,11 +164,11 @@ export class FloorPlanElement extends Base {
   #build(): void {
     const root = this.attachShadow({ mode: 'open' });
     adoptStyles(root);
-    this.#shell = new Shell(this, this.#actions());
+    this.#shell = new Shell(this, this.#actions);
     root.append(this.#shell.node);
   }
 
-  #actions(): Actions {
+  #makeActions(): Actions {
     return {
       open: (files) => void this.load(files).catch(ignore),
       pickFile: (index) => {
@@ -196,72 +194,35 @@ export class FloorPlanElement extends Base {
       dismiss: () => this.#maker.dismiss(),
       setUnit: (unit) => this.setAttribute('display-units', unit),
       setLayout: (layout) => {
-        if (layout === '3d') this.#tool = null;
+        if (layout === '3d') this.#sheet.takeTool(null);
         this.setAttribute('view', layout);
       },
-      setStorey: (storey) => {
-        this.#storey = storey;
-        this.#invalidate();
+      setStorey: (storey) => this.#sheet.showStorey(storey),
+      showStep: (name) => this.#sheet.showStep(name),
+      moveStep: (by) => this.#sheet.moveStep(by),
+      turnSteps: (of) => {
+        this.#sheet.turnSteps(of);
+        // What was pressed is gone.
+        this.#shell?.focusStep();
       },
-      showStep: (name) => this.#showStep(name),
-      moveStep: (by) => this.#moveStep(by),
-      turnSteps: (of) => this.#turnSteps(of),
       picture: (asked) => this.#maker.picture(asked),
       compare: ({ options, labels }, onProgress) =>
         this.#maker.compare({ options: { ...this.#given.now, ...options }, labels }, onProgress),
       stopComparing: () => this.#maker.stopComparing(),
-      takeTool: (tool) => this.#takeTool(tool),
-      mark: (stretch) => {
-        this.#marked = stretch;
-        this.#invalidate();
-      },
+      takeTool: (tool) => this.#sheet.takeTool(tool),
+      mark: (stretch) => this.#sheet.mark(stretch),
     };
-  }
-
-  #showStep(name: string | null): void {
-    this.#steps.open(name);
-    if (name !== null) {
-      this.#tool = null;
-      this.#showSheet();
-    }
-    this.#invalidate();
-  }
-
-  /** Tools work in the drawing, so that comes to the front. */
-  #takeTool(tool: Tool | null): void {
-    this.#tool = this.#maker.view ? tool : null;
-    if (this.#tool) {
-      this.#steps.open(null);
-      this.#showSheet();
-    }
-    this.#invalidate();
-  }
-
-  /** Where the model alone is shown, the 2D view needs a place. */
-  #showSheet(): void {
-    if (this.getAttribute('view') === '3d') this.setAttribute('view', 'split');
-  }
-
-  #moveStep(by: 1 | -1): void {
-    this.#steps.move(by);
-    this.#invalidate();
-  }
-
-  #turnSteps(of: PictureOf): void {
-    this.#steps.turnTo(of);
-    if (of === 'failed') this.#maker.dismiss();
-    // What was pressed is gone.
-    this.#shell?.focusStep();
-    this.#showStep(this.#steps.name);
   }
 
   #undo(): void {
     this.#given.undo();
+    this.#places.dismiss();
     this.#scheduleRun(0);
   }
 
   #redo(): void {
     this.#given.redo();
+    this.#places.dismiss();
     this.#scheduleRun(0);
   }
 
@@ -305,8 +266,7 @@ export class FloorPlanElement extends Base {
 
   async #save(format: string): Promise<void> {
     try {
-      const files = await this.#maker.files(format);
-      saveFile(files.length === 1 ? files[0] : await bundleFiles(files, format));
+      saveFile(await bundleFiles(await this.#maker.files(format), format));
     } catch (error) {
       this.#maker.complain(error as Error);
     }
@@ -330,42 +290,22 @@ export class FloorPlanElement extends Base {
     const isSlice = preset === 'auto' && this.#maker.view?.options.preset === 'paper';
     return {
       ...this.#maker.facts,
+      notices: [...this.#places.notices, ...this.#maker.facts.notices],
       given: this.#given.now,
       options: resolveOptions(this.#given.now, { isSlice }),
       canUndo: this.#given.canUndo,
       canRedo: this.#given.canRedo,
       unit,
       layout: LAYOUTS.includes(layout) ? layout : 'split',
-      storey: this.#storey,
       files: this.#files.shown,
-      steps: {
-        of: this.#steps.isOfFailed ? 'failed' : 'plan',
-        pictures: this.#steps.pictures,
-        picture: this.#steps.picture,
-      },
-      tool: this.#tool,
-      marked: this.#marked,
+      ...this.#sheet.shown,
     };
   }
 
   readonly #key = (event: KeyboardEvent): void => {
-    const [target] = event.composedPath();
-    if (event.key === 'Escape' && this.#tool) this.#takeTool(null);
-    // In a field the browser's own undo comes first.
-    const isTyping = target instanceof HTMLInputElement && ['number', 'text'].includes(target.type);
-    if (isTyping) return;
-    const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey;
-    // In a list a letter chooses.
-    const isChoosing = target instanceof HTMLSelectElement;
-    const isForTools = isPlain && !isChoosing && this.hasAttribute('controls');
-    const tool = isForTools ? TOOL_KEYS[event.key.toLowerCase()] : undefined;
-    if (tool) this.#takeTool(tool === this.#tool ? null : tool);
-    const by = STEP_KEYS[event.key];
-    if (by && this.#steps.picture) this.#moveStep(by);
-    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
-    event.preventDefault();
-    if (event.shiftKey) this.#redo();
-    else this.#undo();
+    const { tool, steps } = this.#sheet.shown;
+    const situation = { tool, isStepping: steps.picture !== null, hasTools: this.hasAttribute('controls') };
+    pressKey(event, situation, this.#actions);
   };
 
   /** A property set before the class was registered shadows the accessor; set it again through it. */
@@ -375,18 +315,6 @@ export class FloorPlanElement extends Base {
     delete (this as Record<string, unknown>)[name];
     Object.assign(this, { [name]: value });
   }
-}
-
-function fileOf(source: ScanSource): ScanFile {
-  if (source instanceof File) return { data: source, name: source.name };
-  if (source instanceof Blob) return { data: source, name: 'scan' };
-  if (URL.canParse(source, document.baseURI)) {
-    const { href } = new URL(source, document.baseURI);
-    return { data: href, name: nameOf(href) };
-  }
-  throw new FloorPlanError('input/unreadable', `expected the address of a scan, found "${source}"`, {
-    hint: 'Give a URL, absolute or relative to the page.',
-  });
 }
 
 /** The error has been shown and sent as an event; nobody awaits this promise. */

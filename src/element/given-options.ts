@@ -1,12 +1,21 @@
 import { type GivenValues, type Options, PARAMS, type ParamName } from '../core/params.ts';
 import { History } from './history.ts';
 
+/** What becomes of all that is given when some of it changes. */
+type Carry = (before: GivenValues, next: GivenValues) => GivenValues;
+
 /** The parameters a person has given, and the way back to those before. */
 export class GivenOptions {
   readonly #history = new History<GivenValues>();
   #now: GivenValues = {};
   /** As they were before the slider under the hand moved. */
   #before: GivenValues | null = null;
+  readonly #carry: Carry;
+
+  /** @param carry what a change takes along with it */
+  constructor(carry: Carry = (_, next) => next) {
+    this.#carry = carry;
+  }
 
   get now(): GivenValues {
     return this.#now;
@@ -35,8 +44,11 @@ export class GivenOptions {
   /** `undefined` forgets a parameter. @param isFinal false while a slider is on its way: a whole slide is one step */
   change(change: GivenValues, isFinal: boolean): void {
     this.#before ??= this.#now;
-    const changed = Object.entries({ ...this.#now, ...change });
-    this.#now = Object.fromEntries(changed.filter(([, value]) => value !== undefined));
+    // What is taken along on the way of a slider is taken from where it began.
+    const { crop, doors } = this.#before;
+    const changed = Object.entries({ ...this.#now, crop, doors, ...change });
+    const given = Object.fromEntries(changed.filter(([, value]) => value !== undefined));
+    this.#now = this.#carry(this.#before, given);
     if (!isFinal) return;
     if (!isEqual(this.#before, this.#now)) this.#history.leave(this.#before);
     this.#before = null;
@@ -51,7 +63,7 @@ export class GivenOptions {
   /** Forgets parameters, as one step. */
   reset(names: readonly ParamName[]): void {
     const kept = Object.entries(this.#now).filter(([name]) => !names.includes(name as ParamName));
-    this.replace(Object.fromEntries(kept));
+    this.replace(this.#carry(this.#now, Object.fromEntries(kept)));
   }
 
   undo(): void {

@@ -31,7 +31,7 @@ export interface Model {
   readonly error: Error | null;
   /** The last run, if it failed after some stages. */
   readonly failed: FailedRun | null;
-  /** What the environment lacks, beside the warnings of the plan. */
+  /** What the environment lacks, and what the last change dropped, beside the warnings of the plan. */
   readonly notices: readonly Warning[];
   readonly canUndo: boolean;
   readonly canRedo: boolean;

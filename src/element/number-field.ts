@@ -16,6 +16,7 @@ export function numberField({ id, name, change }: FieldFacts, row: NumberRow | A
   const { min, max, step, unit, label } = row;
   const isQuantity = unit === 'm' || unit === 'm²';
   let pixelsPerMetre: number = PARAMS.pixelsPerMetre.default;
+  let isTyping = false;
   const number = make('input', {
     type: isQuantity ? 'text' : 'number',
     id,
@@ -24,7 +25,14 @@ export function numberField({ id, name, change }: FieldFacts, row: NumberRow | A
     inputmode: isQuantity ? null : step % 1 === 0 ? 'numeric' : 'decimal',
     'aria-describedby': `${id}-hint`,
     on: {
+      input: () => {
+        isTyping = true;
+      },
+      blur: () => {
+        isTyping = false;
+      },
       change: () => {
+        isTyping = false;
         const value = isQuantity ? readQuantity(name, number.value, pixelsPerMetre) : number.valueAsNumber;
         const isAllowed = value === 'auto' || (value >= min && value <= max);
         if (isAllowed) change(step % 1 === 0 && value !== 'auto' ? Math.round(value) : value, true);
@@ -65,6 +73,8 @@ export function numberField({ id, name, change }: FieldFacts, row: NumberRow | A
       const isAuto = value === 'auto';
       if (auto) auto.checked = isAuto;
       node.classList.toggle('is-auto', isAuto);
+      // Text under the hand is not overwritten.
+      if (isTyping) return;
       if (isAuto) number.value = '';
       if (isAuto || typeof value !== 'number') return;
       number.removeAttribute('aria-invalid');

@@ -26,6 +26,8 @@ export interface MakerEvents {
   onChange(): void;
   /** Another scan is shown. */
   onScan(): void;
+  /** A run has made what is shown next. */
+  onView(view: PlanView): void;
   /** How a page makes the worker; asked when the first one is needed. */
   spawnWorker(): Spawn | null;
   /** A sample of the points read so far: source units, relative to the first point. */
@@ -201,6 +203,7 @@ export class PlanMaker {
       this.#next = null;
       this.#events.onScan();
     }
+    this.#events.onView(view);
     this.#view = view;
     this.#isRunning = false;
     this.#error = null;

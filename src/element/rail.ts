@@ -17,9 +17,6 @@ export interface Rail extends Panel {
 
 /** The run from top to bottom: how it stands, its stages with their parameters, its warnings, its exports. */
 export function makeRail(actions: Actions): Rail {
-  const undo = iconButton('Undo', icon('undo'), () => actions.undo());
-  const redo = iconButton('Redo', icon('redo'), () => actions.redo());
-  const reset = iconButton('Reset all parameters', icon('reset'), () => actions.reset(PARAM_NAMES));
   const unfold = make(
     'button',
     { type: 'button', class: 'button unfold', 'aria-expanded': 'false', on: { click: () => toggle() } },
@@ -60,9 +57,9 @@ export function makeRail(actions: Actions): Rail {
     openAt(row.node as HTMLDetailsElement, selector);
   };
   const exports = makeExportMenu(actions);
-  const heading = make('div', { class: 'section-head' }, make('h2', {}, 'Steps'), undo, redo, reset);
+  const heading = makeHeading(actions);
   const stages = make('div', { class: 'stages' }, ...rows.map((row) => row.node));
-  const body = make('div', { class: 'rail-body' }, warnings.node, heading, preset.node, stages);
+  const body = make('div', { class: 'rail-body' }, warnings.node, heading.node, preset.node, stages);
   const head = make('div', { class: 'rail-head' }, status.node, unfold);
   const node = make(
     'aside',
@@ -71,15 +68,27 @@ export function makeRail(actions: Actions): Rail {
     body,
     exports.node,
   );
-  const panels = [status, warnings, preset, ...rows, exports];
+  const panels = [status, warnings, heading, preset, ...rows, exports];
   return {
     node,
     showControl: (name) => showControl(name),
     show(model) {
-      undo.disabled = !model.canUndo;
-      redo.disabled = !model.canRedo;
-      reset.disabled = Object.keys(model.given).length === 0;
       for (const panel of panels) panel.show(model);
+    },
+  };
+}
+
+/** Over the steps: the way back, forth, and to the start. */
+function makeHeading(actions: Actions): Panel {
+  const undo = iconButton('Undo', icon('undo'), () => actions.undo());
+  const redo = iconButton('Redo', icon('redo'), () => actions.redo());
+  const reset = iconButton('Reset all parameters', icon('reset'), () => actions.reset(PARAM_NAMES));
+  return {
+    node: make('div', { class: 'section-head' }, make('h2', {}, 'Steps'), undo, redo, reset),
+    show({ canUndo, canRedo, given }) {
+      undo.disabled = !canUndo;
+      redo.disabled = !canRedo;
+      reset.disabled = Object.keys(given).length === 0;
     },
   };
 }

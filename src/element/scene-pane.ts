@@ -18,7 +18,8 @@ export class ScenePane {
   #scene: SceneView | null = null;
   #opening: Promise<SceneView | null> | null = null;
   #shown: PlanView | null = null;
-  #name: string | null = null;
+  /** The scan, what is up and how large it is: where one has changed, the camera stands anew. */
+  #subject: string | null = null;
   /** Counts connections: a scene that opens after the element has left is thrown away. */
   #life = 0;
 
@@ -66,10 +67,11 @@ export class ScenePane {
     this.#shown = view;
     const scene = await this.#open();
     if (!scene || view !== this.#shown) return;
-    const isNew = name !== this.#name;
-    this.#name = name;
+    const { up, metresPerUnit } = view.plan.frame;
+    const subject = JSON.stringify([name, up, metresPerUnit]);
+    const isNew = subject !== this.#subject;
+    this.#subject = subject;
     scene.show(contentOf(view), isNew);
-    scene.showLayers(this.#layers);
   }
 
   async preview(positions: Float32Array): Promise<void> {
@@ -89,20 +91,19 @@ export class ScenePane {
 
   async #make(): Promise<SceneView | null> {
     const life = this.#life;
-    try {
-      const { SceneView } = await import('../view/scene.ts');
-      if (life !== this.#life) return null;
-      this.#scene = new SceneView(this.#host, {
-        onFailed: (error) => this.#fail(`${error.message} ${error.hint} (${error.code})`),
-        ...this.#axes,
-      });
-      return this.#scene;
-    } catch {
+    const module = await import('../view/scene.ts').catch(() => null);
+    if (life !== this.#life) return null;
+    if (!module) {
       this.#fail(
         'The part of the program that shows the model could not be fetched. Reload the page to try again.',
       );
       return null;
     }
+    this.#scene = new module.SceneView(this.#host, this.#layers, {
+      onFailed: (error) => this.#fail(`${error.message} ${error.hint} (${error.code})`),
+      ...this.#axes,
+    });
+    return this.#scene;
   }
 
   #fail(words: string): void {

@@ -265,19 +265,19 @@ export class SheetPane {
   /** Their code comes when they are first seen, so the plan does not wait for it. */
   async #openSteps(): Promise<void> {
     const life = this.#life;
-    try {
-      const { StepsPane } = await import('./steps/steps-pane.ts');
-      if (life !== this.#life) return;
-      this.#steps = new StepsPane(this.#actions, this.node.getRootNode() as ShadowRoot, (isComparing) =>
-        setAttribute(this.#compare, 'aria-pressed', String(isComparing)),
-      );
-      this.node.append(this.#steps.node);
-    } catch {
+    const module = await import('./steps/steps-pane.ts').catch(() => null);
+    if (life !== this.#life) return;
+    if (!module) {
       const words =
         'The part of the program that shows the steps could not be fetched. Reload the page to try again.';
       setText(this.#notice, words);
       this.#notice.hidden = false;
+      return;
     }
+    this.#steps = new module.StepsPane(this.#actions, this.node.getRootNode() as ShadowRoot, (isComparing) =>
+      setAttribute(this.#compare, 'aria-pressed', String(isComparing)),
+    );
+    this.node.append(this.#steps.node);
   }
 
   #showStoreys(count: number, chosen: number): void {

@@ -1,4 +1,4 @@
-import type { PictureFacts } from '../worker/protocol.ts';
+import type { PictureFacts, PictureOf } from '../worker/protocol.ts';
 import type { PlanMaker } from './plan-maker.ts';
 
 /** Which step's picture stands in place of the drawing, of the plan shown or of the run that failed after it. */
@@ -6,7 +6,7 @@ export class StepChoice {
   readonly #maker: PlanMaker;
   #name: string | null = null;
   #place = 0;
-  #isOfFailed = false;
+  #of: PictureOf = 'plan';
 
   constructor(maker: PlanMaker) {
     this.#maker = maker;
@@ -17,14 +17,14 @@ export class StepChoice {
     return this.#name;
   }
 
-  /** Whether the pictures are those of a run that failed; a run that ends well ends that too. */
-  get isOfFailed(): boolean {
-    return this.#isOfFailed && this.#maker.failed !== null;
+  /** Whose pictures they are; a run that ends well ends those of the one that failed. */
+  get of(): PictureOf {
+    return this.#maker.failed === null ? 'plan' : this.#of;
   }
 
   get pictures(): readonly PictureFacts[] {
     const { failed, view } = this.#maker;
-    return (this.isOfFailed ? failed?.pictures : view?.pictures) ?? [];
+    return (this.of === 'failed' ? failed?.pictures : view?.pictures) ?? [];
   }
 
   /** The chosen picture; where this plan lacks it, the one in its place. */
@@ -39,12 +39,12 @@ export class StepChoice {
   /** Shows a picture of the plan shown; null shows the drawing again. */
   open(name: string | null): void {
     this.#name = name;
-    if (name === null) this.#isOfFailed = false;
+    if (name === null) this.#of = 'plan';
   }
 
   /** Goes to the pictures of the plan shown, or to the last one the failed run got to. */
-  turnTo(of: 'plan' | 'failed'): void {
-    this.#isOfFailed = of === 'failed';
+  turnTo(of: PictureOf): void {
+    this.#of = of;
     if (of === 'failed') this.#name = this.pictures.at(-1)?.name ?? null;
   }
 

@@ -14,7 +14,7 @@ export interface WarningAct {
 }
 
 /** Everything about this plan that wants attention, in one quiet place, with what to try. @param acts by a warning's code */
-export function makeWarningsList(acts: Readonly<Record<string, WarningAct>> = {}): Panel {
+export function makeWarningsList(acts: Readonly<Record<string, WarningAct>>): Panel {
   const list = make('ul', { id: 'warnings' });
   const more = make('button', {
     type: 'button',

@@ -1,9 +1,7 @@
 import { CLASS_CODES } from '../core/classes.ts';
 import type { Warning } from '../core/types.ts';
-import type { PointChunk } from './cloud-reader.ts';
-
-/** Entries a point. */
-const WIDTHS = { xyz: 3, colour: 3, intensity: 1, classification: 1, station: 1 } as const;
+import { closeRanks } from './close-ranks.ts';
+import { ATTRIBUTE_WIDTHS, ATTRIBUTES, type PointChunk } from './cloud-reader.ts';
 
 /** Lets the points of some classes through; all, where points have none. */
 export class ClassFilter {
@@ -37,8 +35,11 @@ export class ClassFilter {
       if (this.#isKept[code] === 1) places[count++] = i;
     }
     if (count < chunk.count) {
-      for (const name of Object.keys(WIDTHS) as (keyof typeof WIDTHS)[])
-        closeRanks(chunk[name], WIDTHS[name], places, count);
+      closeRanks(chunk.xyz, 3, { places, count });
+      for (const name of ATTRIBUTES) {
+        const values = chunk[name];
+        if (values) closeRanks(values, ATTRIBUTE_WIDTHS[name], { places, count });
+      }
     }
     return { ...chunk, count };
   }
@@ -55,16 +56,4 @@ export class ClassFilter {
       hint: 'Set classes to all, or to codes that the file has.',
     };
   }
-}
-
-/** Places rise, so that no value is written over before it has moved. */
-function closeRanks(
-  values: PointChunk['xyz' | 'colour' | 'intensity' | 'station'],
-  width: number,
-  places: Uint32Array,
-  count: number,
-): void {
-  if (!values) return;
-  for (let i = 0; i < count; i++)
-    for (let k = 0; k < width; k++) values[width * i + k] = values[width * places[i] + k];
 }

@@ -1,15 +1,20 @@
-import type { Axis, Unit, Vec3, Warning } from '../core/types.ts';
+import type { Axis, PointAttributes, Unit, Vec3, Warning } from '../core/types.ts';
 import type { ByteSource } from './bytes/source.ts';
 
+/** Entries a point of each attribute. */
+export const ATTRIBUTE_WIDTHS: Readonly<Record<keyof PointAttributes, number>> = {
+  colour: 3,
+  intensity: 1,
+  classification: 1,
+  station: 1,
+};
+export const ATTRIBUTES = Object.keys(ATTRIBUTE_WIDTHS) as readonly (keyof PointAttributes)[];
+
 /** Some tens of thousands of points on their way from a reader to the thinning. The arrays may be used again. */
-export interface PointChunk {
+export interface PointChunk extends PointAttributes {
   readonly count: number;
   /** x, y, z a point, float64, source axes, units and coordinates; entries past 3 · count are stale. */
   readonly xyz: Float64Array;
-  readonly colour?: Uint8Array;
-  readonly intensity?: Float32Array;
-  readonly classification?: Uint8Array;
-  readonly station?: Uint16Array;
 }
 
 /** A cloud whose header has been read. */

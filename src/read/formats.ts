@@ -45,9 +45,12 @@ const TEXT_FORMATS = ['ptx', 'pts', 'csv', 'obj'] as const satisfies readonly Re
 
 export const READ_FORMAT_NAMES = Object.keys(READ_FORMATS) as readonly ReadFormatName[];
 
-/** The format of a source, by content first and by extension second.
+/**
+ * The format of a source, by content first and by extension second.
  *
- * @param head the first bytes, up to 64 KiB @throws input/unknown-format */
+ * @param head the first bytes, up to 64 KiB
+ * @throws input/unknown-format
+ */
 export function detectFormat(head: Uint8Array, name: string): ReadFormatName {
   const byContent = READ_FORMAT_NAMES.find((format) => READ_FORMATS[format].detect(head));
   // Any rows of numbers are a table: a damaged PTX too, headers and all.

@@ -1,11 +1,9 @@
 import { countOf } from '../core/count-words.ts';
 import type { PointAttributes, Scan, Vec3, Warning } from '../core/types.ts';
 import type { OpenCloud } from './cloud-reader.ts';
-import { orderByCell } from './thin/cell-order.ts';
-import { diagonalOf, FARTHEST, powerOfTwoBelow, type Thinning } from './thin/thinning.ts';
+import type { ThinnedPoints } from './thin/thinned-points.ts';
+import { FARTHEST, powerOfTwoBelow, type Thinning } from './thin/thinning.ts';
 
-/** Cell that orders a slice, which has none, as a share of its extent. */
-const ORDER_SHARE = 2 ** -15;
 /** Step between 32-bit floats, as a share of the power of two below them. */
 const FLOAT_STEP = 2 ** -23;
 
@@ -25,10 +23,10 @@ export function makeScan(
   thinning: Thinning,
   { name, format, bytes, cloud, target, warnings }: ScanFacts,
 ): Scan {
-  const { xyz, count, bounds } = thinning;
+  const { bounds } = thinning;
   const origin = thinning.sample.middle();
-  const cell = thinning.cell || powerOfTwoBelow(diagonalOf(bounds) * ORDER_SHARE);
-  const indices = orderByCell({ xyz, count, cell, centre: origin, bounds });
+  const points = thinning.inOrder(origin, (length) => new Float32Array(length));
+  const { count } = points;
   return {
     facts: {
       name,
@@ -38,10 +36,10 @@ export function makeScan(
       pointsDropped: thinning.dropped,
       pointsKept: count,
     },
-    positions: positionsOf(thinning, indices, origin),
+    positions: points.positions,
     origin,
     bounds: { min: [...bounds.min], max: [...bounds.max] },
-    attributes: withoutBlanks(thinning.attributesOf(indices)),
+    attributes: withoutBlanks(points.attributes),
     cellSize: thinning.cell,
     isSlice: cloud.isSlice,
     ...(cloud.unit && { unit: cloud.unit }),
@@ -52,7 +50,7 @@ export function makeScan(
       ...cloud.warnings,
       ...warnings,
       ...warningsOf(thinning, cloud, target),
-      ...coarseFloats(thinning, origin, target),
+      ...coarseFloats(points, origin, target),
     ],
   };
 }
@@ -64,19 +62,6 @@ function withoutBlanks({ colour, intensity, ...others }: PointAttributes): Point
     ...(intensity?.some((value) => value !== 0) && { intensity }),
     ...others,
   };
-}
-
-/** x, y, z of the points at `indices`, source units, relative to `origin`. */
-function positionsOf({ xyz }: Thinning, indices: Uint32Array, origin: Vec3): Float32Array {
-  const [x, y, z] = origin;
-  const positions = new Float32Array(3 * indices.length);
-  for (let i = 0; i < indices.length; i++) {
-    const at = 3 * indices[i];
-    positions[3 * i] = xyz[at] - x;
-    positions[3 * i + 1] = xyz[at + 1] - y;
-    positions[3 * i + 2] = xyz[at + 2] - z;
-  }
-  return positions;
 }
 
 function warningsOf({ dropped, read, cell, count }: Thinning, cloud: OpenCloud, target: number): Warning[] {
@@ -99,10 +84,9 @@ function warningsOf({ dropped, read, cell, count }: Thinning, cloud: OpenCloud, 
 }
 
 /** 32-bit floats far from zero are too few: at a UTM northing they lie half a metre apart, and walls with them. */
-function coarseFloats({ xyz, count }: Thinning, origin: Vec3, target: number): Warning[] {
+function coarseFloats({ areSingle }: ThinnedPoints<Float32Array>, origin: Vec3, target: number): Warning[] {
   const step = FLOAT_STEP * powerOfTwoBelow(Math.max(1, ...origin.map(Math.abs)));
-  if (target === 0 || step <= target) return [];
-  for (let i = 0; i < 3 * count; i++) if (xyz[i] !== Math.fround(xyz[i])) return [];
+  if (target === 0 || step <= target || !areSingle) return [];
   return [
     {
       code: 'read/coarse-coordinates',

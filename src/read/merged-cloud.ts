@@ -18,15 +18,18 @@ export interface CloudPart {
  */
 export function mergeClouds(parts: readonly CloudPart[]): OpenCloud {
   if (parts.length === 1) return parts[0].cloud;
-  const warnings: Warning[] = [];
+  const own = mixedCrs(parts);
+  const warnings = [...own];
   const stations: Vec3[] = [];
-  const crs = sameCrs(parts, warnings);
+  const crs = parts.find(({ cloud }) => cloud.crs !== undefined)?.cloud.crs;
   const unit = agreed(parts, 'unit', ({ cloud }) => cloud.unit);
   const up = agreed(parts, 'up axis', ({ cloud }) => cloud.up);
   const counts = parts.map(({ cloud }) => cloud.pointsAnnounced);
   return {
-    isSlice: agreed(parts, 'kind', ({ cloud }) => cloud.isSlice) ?? false,
+    isSlice: agreed(parts, 'kind', kindOf) === SLICE,
     isAdaptive: parts.some(({ cloud }) => cloud.isAdaptive),
+    // Where only some are grids, points without a place may be lost ones of the others.
+    ...(parts.every(({ cloud }) => cloud.hasEmptyPlaces) && { hasEmptyPlaces: true }),
     ...(unit && { unit }),
     ...(up && { up }),
     ...(crs && { crs }),
@@ -36,9 +39,8 @@ export function mergeClouds(parts: readonly CloudPart[]): OpenCloud {
     stations,
     warnings,
     chunks(progress, ...rest) {
-      warnings.length = 0;
+      warnings.splice(0, Infinity, ...own);
       stations.length = 0;
-      sameCrs(parts, warnings);
       return readParts({ parts, stations, warnings }, progress, rest);
     },
   };
@@ -78,8 +80,14 @@ function withStations(chunk: PointChunk, first: number): PointChunk {
   return { ...chunk, station: chunk.station.map((index) => index + first) };
 }
 
+const SLICE = 'a ready slice';
+
+function kindOf({ cloud }: CloudPart): string {
+  return cloud.isSlice ? SLICE : 'a 3D cloud';
+}
+
 /** What the parts that say it say alike. @throws input/malformed, where they do not */
-function agreed<T>(
+function agreed<T extends string>(
   parts: readonly CloudPart[],
   what: string,
   of: (part: CloudPart) => T | undefined,
@@ -87,24 +95,22 @@ function agreed<T>(
   const first = parts.find((part) => of(part) !== undefined);
   const other = first && parts.find((part) => of(part) !== undefined && of(part) !== of(first));
   if (!first || !other) return first && of(first);
-  const wording = (part: CloudPart) =>
-    what === 'kind' ? (of(part) ? 'a ready slice' : 'a 3D cloud') : `${of(part)}`;
   throw new FloorPlanError(
     'input/malformed',
-    `expected files of one ${what} to merge, found ${wording(first)} in ${first.name} and ${wording(other)} in ${other.name}`,
+    `expected files of one ${what} to merge, found ${of(first)} in ${first.name} and ${of(other)} in ${other.name}`,
     { hint: 'Load them one at a time.' },
   );
 }
 
-function sameCrs(parts: readonly CloudPart[], warnings: Warning[]): string | undefined {
+function mixedCrs(parts: readonly CloudPart[]): readonly Warning[] {
   const named = parts.filter(({ cloud }) => cloud.crs !== undefined);
   const other = named.find(({ cloud }) => cloud.crs !== named[0].cloud.crs);
-  if (other) {
-    warnings.push({
+  if (!other) return [];
+  return [
+    {
       code: 'read/mixed-crs',
       message: `${named[0].name} and ${other.name} name different coordinate systems; their coordinates are taken as they are.`,
       hint: 'If the parts do not fit together, bring them into one system first.',
-    });
-  }
-  return named[0]?.cloud.crs;
+    },
+  ];
 }

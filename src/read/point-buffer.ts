@@ -1,3 +1,4 @@
+import { closeRanks } from './close-ranks.ts';
 import type { PointChunk } from './cloud-reader.ts';
 
 /** Points handed on at once: some hundred kilobytes, so they stay in cache from decoding to thinning. */
@@ -10,7 +11,7 @@ export const Z = 2;
 export const RED = 3;
 export const BLUE = 5;
 export const INTENSITY = 6;
-const CLASSIFICATION = 7;
+export const CLASSIFICATION = 7;
 
 /** What full colour is in the source; `auto` looks at the first points. */
 export type ColourRange = 'unit' | 'byte' | 'short' | 'auto';
@@ -32,6 +33,7 @@ export class PointBuffer {
   readonly #classification: Uint8Array | undefined;
   readonly #range: ColourRange;
   #colourScale: number | undefined;
+  #places = new Uint32Array(0);
 
   /** @param has whether the source has a field, by its number in {@link FIELDS} */
   constructor(has: (field: number) => boolean, range: ColourRange = 'auto') {
@@ -79,12 +81,15 @@ export class PointBuffer {
 
   /** Drops those of the points from `first` on whose mark is not 0; `marks[0]` is the first one's. */
   dropMarked(first: number, marks: Float64Array): void {
-    const { count } = this;
-    const kept = closeRanks(this.xyz, 3, { first, count }, marks);
+    if (this.#places.length === 0) this.#places = new Uint32Array(CHUNK_POINTS);
+    const places = this.#places;
+    let count = 0;
+    for (let i = first; i < this.count; i++) if (marks[i - first] === 0) places[count++] = i;
+    this.count = first + count;
+    closeRanks(this.xyz, 3, { places, count, first });
     this.#values.forEach((values, field) => {
-      closeRanks(values, field === RED ? 3 : 1, { first, count }, marks);
+      closeRanks(values, field === RED ? 3 : 1, { places, count, first });
     });
-    this.count = kept;
   }
 
   /** The points so far, as a chunk whose arrays are used again. */
@@ -115,6 +120,11 @@ export class PointBuffer {
   }
 }
 
+/** A buffer for what records hold. */
+export function bufferFor(fields: readonly { readonly field: number }[], range?: ColourRange): PointBuffer {
+  return new PointBuffer((number) => fields.some(({ field }) => field === number), range);
+}
+
 /** Factor to 0 … 255. Floats go to 1 or, in some files, to 255: the largest of the first chunk that is not black tells. */
 function colourScale(values: Float64Array, length: number, range: ColourRange): number | undefined {
   if (range === 'byte') return 1;
@@ -128,22 +138,6 @@ function colourScale(values: Float64Array, length: number, range: ColourRange): 
   if (largest === 0) return undefined;
   if (largest > 255) return 255 / 65535;
   return largest <= 1 && hasFraction ? 255 : 1;
-}
-
-/** Moves the values of unmarked points, `width` each, together, and returns where they end. */
-function closeRanks(
-  values: Float64Array,
-  width: number,
-  { first, count }: { readonly first: number; readonly count: number },
-  marks: Float64Array,
-): number {
-  let to = first;
-  for (let from = first; from < count; from++) {
-    if (marks[from - first] !== 0) continue;
-    for (let i = 0; i < width; i++) values[width * to + i] = values[width * from + i];
-    to++;
-  }
-  return to;
 }
 
 function copyBytes(from: Float64Array, to: Uint8Array, count: number): void {

@@ -11,6 +11,15 @@ export interface Pose {
   readonly translation: Vec3;
 }
 
+/** The rotation, row-major 3 × 3, of a quaternion of length 1. */
+export function rotationOf(w: number, x: number, y: number, z: number): number[] {
+  return [
+    ...[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+    ...[2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+    ...[2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+  ];
+}
+
 /** Moves `count` points, x, y, z each, from point `first` on into their place. */
 export function applyPose(
   xyz: Float64Array,

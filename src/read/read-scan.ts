@@ -9,10 +9,11 @@ import type { ByteSource } from './bytes/source.ts';
 import { ClassFilter } from './class-filter.ts';
 import type { OpenCloud, PointChunk } from './cloud-reader.ts';
 import { makeScan } from './make-scan.ts';
+import { nextTurn } from './next-turn.ts';
 import { openScan } from './open-scan.ts';
 import { Preview } from './preview.ts';
 import { scanName } from './scan-name.ts';
-import { CELLS_TOLD_APART } from './thin/cell-hash.ts';
+import { CELLS_TOLD_APART } from './thin/cell-blocks.ts';
 import { diagonalOf, FARTHEST, powerOfTwoBelow, Thinning } from './thin/thinning.ts';
 
 export type ReadOptions = Pick<
@@ -21,9 +22,12 @@ export type ReadOptions = Pick<
 >;
 
 export interface ReadStatus {
-  /** Bytes fetched; where the source is read twice, those of the first time too. */
+  /** Bytes fetched, those of a first reading too; never falls. */
   readonly bytesRead: number;
-  /** Bytes there are to fetch, where the source tells its size; doubles where it is read twice. */
+  /**
+   * Bytes there are to fetch, where the source tells its size: twice that size where it is known from the start that
+   * it is read twice. Another reading, which nobody could foresee, waits at the whole.
+   */
   readonly totalBytes?: number;
   readonly points: number;
 }
@@ -35,6 +39,8 @@ export interface ReadControl {
   readonly signal?: AbortSignal | undefined;
 }
 
+/** Points after which a cancellation is listened for: some tens of milliseconds of the slowest decoder. */
+const POINTS_A_TURN = 1 << 16;
 /** Clouds of fewer points are checked for lying on a line here, others when they are oriented. */
 const CHECKED_POINTS = 1 << 16;
 
@@ -64,25 +70,28 @@ export async function readScan(
     cloud,
     options,
     control,
-    bytesBefore: 0,
+    readings: 1,
+    readingsDone: 0,
     bytesRead: 0,
+    told: 0,
     target: 0,
     classes,
     warnings: [],
   };
   const known = cloud.isAdaptive ? statedCell(run) : undefined;
+  const isRough = cloud.isAdaptive === true && known === undefined;
+  if (isRough) run.readings = 2;
   let thinning = await readOnce(run, known);
   assertPoints(run.name, thinning);
   if (!cloud.isSlice) {
     run.target = targetCell(run, thinning);
-    const isRough = cloud.isAdaptive && known === undefined;
     if (isRough || isWrongStart(thinning, run.target)) {
       thinning = await readAgain(run, run.target);
     } else if (thinning.cell < run.target) {
       thinning.coarsen(run.target);
     }
   }
-  thinning.close();
+  await listen(control);
   const bytes = sizeOfAll(sources) ?? run.bytesRead;
   const scan = makeScan(thinning, {
     name: run.name,
@@ -92,7 +101,8 @@ export async function readScan(
     target: run.target,
     warnings: run.warnings,
   });
-  if (thinning.count <= CHECKED_POINTS) checkSpread(scan.positions);
+  assertEnough(scan);
+  if (scan.facts.pointsKept <= CHECKED_POINTS) checkSpread(scan.positions);
   return scan;
 }
 
@@ -102,8 +112,13 @@ interface ReadRun {
   readonly cloud: OpenCloud;
   readonly options: ReadOptions;
   readonly control: ReadControl;
-  bytesBefore: number;
+  /** How often the sources are read, as far as can be foreseen. */
+  readings: number;
+  readingsDone: number;
+  /** In the present reading. */
   bytesRead: number;
+  /** Bytes last reported. */
+  told: number;
   /** Cell that the resolution asks for, source units; 0 for a slice. */
   target: number;
   /** 1 for each class code to keep; null for all. */
@@ -113,7 +128,7 @@ interface ReadRun {
 
 async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
   const { cloud, options, control } = run;
-  const preview = control.onPreview && run.bytesBefore === 0 ? new Preview(control.onPreview) : null;
+  const preview = control.onPreview && run.readingsDone === 0 ? new Preview(control.onPreview) : null;
   let thinning: Thinning | null = null;
   const filter = run.classes && new ClassFilter(run.classes);
   const tell = (bytesRead: number) => {
@@ -121,14 +136,19 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
     report(run, thinning?.read ?? 0);
   };
   const chunks = cloud.chunks(tell, cell ?? 0, options.pointBudget);
-  // Half: most scans lose more than that to thinning, and a table that proves too small grows once.
-  const expected = (cloud.pointsAnnounced ?? 0) / 2;
+  const expected = cloud.pointsAnnounced ?? 0;
+  let unheard = 0;
   for await (const read of chunks) {
     const chunk = filter ? filter.apply(read) : read;
     if (chunk.count === 0) continue;
     thinning ??= new Thinning({ cell: cell ?? firstCell(run, chunk), budget: options.pointBudget, expected });
     thinning.add(chunk);
     preview?.add(chunk);
+    unheard += chunk.count;
+    if (unheard >= POINTS_A_TURN) {
+      unheard = 0;
+      await listen(control);
+    }
   }
   preview?.flush();
   const objection = filter?.objection;
@@ -146,18 +166,31 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
 
 /** From the first byte on; progress goes on where it stands. */
 function readAgain(run: ReadRun, cell?: number): Promise<Thinning> {
-  run.bytesBefore = run.bytesRead;
+  run.readingsDone++;
   return readOnce(run, cell);
 }
 
-function report({ sources, control, bytesBefore, bytesRead }: ReadRun, points: number): void {
+function report(run: ReadRun, points: number): void {
+  const { sources, control, readings, readingsDone, bytesRead } = run;
+  throwIfCancelled(control);
   const size = sizeOfAll(sources);
-  if (control.signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
+  const total = size === undefined ? Infinity : readings * size;
+  run.told = Math.max(run.told, Math.min(total, readingsDone * (size ?? 0) + bytesRead));
   control.onProgress?.({
-    bytesRead: bytesBefore + bytesRead,
-    ...(size !== undefined && { totalBytes: size * (bytesBefore > 0 ? 2 : 1) }),
+    bytesRead: run.told,
+    ...(size !== undefined && { totalBytes: total }),
     points,
   });
+}
+
+/** Hears a cancellation that waits for its turn. @throws cancelled */
+async function listen(control: ReadControl): Promise<void> {
+  if (control.signal) await nextTurn();
+  throwIfCancelled(control);
+}
+
+function throwIfCancelled({ signal }: ReadControl): void {
+  if (signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
 }
 
 function sizeOfAll(sources: readonly ByteSource[]): number | undefined {
@@ -198,9 +231,9 @@ function targetCell(run: ReadRun, { sample }: Thinning): number {
   return powerOfTwoBelow(resolution / metresPerUnit);
 }
 
-/** @throws input/empty, input/not-finite, input/too-few-points */
+/** @throws input/empty, input/not-finite */
 function assertPoints(name: string, thinning: Thinning): void {
-  const { read, dropped, count } = thinning;
+  const { read, dropped } = thinning;
   if (read === 0) throw noPoints(name);
   if (dropped === read) {
     throw new FloorPlanError(
@@ -212,13 +245,16 @@ function assertPoints(name: string, thinning: Thinning): void {
       },
     );
   }
-  if (count < 3) {
-    throw new FloorPlanError(
-      'input/too-few-points',
-      `${name}: expected at least 3 distinct points, found ${countOf(count, 'point')}`,
-      { hint: 'Check that the file holds the whole cloud.', detail: { points: count } },
-    );
-  }
+}
+
+/** @throws input/too-few-points */
+function assertEnough({ facts: { name, pointsKept } }: Scan): void {
+  if (pointsKept >= 3) return;
+  throw new FloorPlanError(
+    'input/too-few-points',
+    `${name}: expected at least 3 distinct points, found ${countOf(pointsKept, 'point')}`,
+    { hint: 'Check that the file holds the whole cloud.', detail: { points: pointsKept } },
+  );
 }
 
 function noPoints(name: string): FloorPlanError {

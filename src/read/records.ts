@@ -1,4 +1,5 @@
 import type { ByteCursor } from './bytes/byte-cursor.ts';
+import { viewOf } from './bytes/view-of.ts';
 import type { PointChunk } from './cloud-reader.ts';
 import type { FieldColumn, PointBuffer } from './point-buffer.ts';
 
@@ -45,20 +46,24 @@ export interface RecordStream {
   readonly layout: RecordLayout;
   readonly count: number;
   readonly buffer: PointBuffer;
-  /** The error where the stream ends too soon. */
-  truncated(): Error;
+  /** Called where the stream ends too soon, after `found` records; throws where they are of no use. */
+  endEarly(found: number): void;
 }
 
 /**
  * Points of binary records, decoded column by column over a cache-sized run: the type is looked at once a column, not
- * once a value. @throws what `truncated` makes
+ * once a value. @throws what `endEarly` throws
  */
 export async function* readRecords(stream: RecordStream): AsyncGenerator<PointChunk> {
   const { cursor, layout, buffer } = stream;
   const { stride } = layout;
   let left = stream.count;
   while (left > 0) {
-    if (cursor.available < stride && !(await cursor.fill(stride))) throw stream.truncated();
+    if (cursor.available < stride && !(await cursor.fill(stride))) {
+      stream.endEarly(stream.count - left);
+      if (buffer.count > 0) yield buffer.take();
+      return;
+    }
     const count = Math.min(left, buffer.free, Math.floor(cursor.available / stride));
     decodeRecords(cursor.bytes, cursor.position, count, layout, buffer);
     cursor.position += count * stride;
@@ -93,7 +98,7 @@ function decodeRun(
   { fields, stride, isLittleEndian }: RecordLayout,
   buffer: PointBuffer,
 ): void {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const view = viewOf(bytes);
   for (const { field, type, offset, scale = 1, shift = 0, mask, stride: own = stride } of fields) {
     const column = buffer.column(field);
     if (!column) continue;

@@ -71,6 +71,11 @@ export class Session {
     return this.#last?.run.stages ?? [];
   }
 
+  /** What each stage took when it last ran on the scan of the last run, ms. */
+  get times(): ReadonlyMap<StageName, number> {
+    return this.#last?.times ?? new Map();
+  }
+
   /** Reads a scan, several sources as parts of one, and makes its plan. @throws FloorPlanError */
   async load(
     source: ByteSource | readonly ByteSource[],

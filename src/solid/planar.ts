@@ -1,13 +1,8 @@
+import { Clipper64, ClipType, FillRule, type Path64, type Paths64, PolyTree64 } from 'clipper2-ts';
+import { polygonsOf } from '../core/geometry/poly-tree.ts';
 import {
-  Clipper64,
-  ClipType,
-  FillRule,
-  type Path64,
-  type Paths64,
-  type PolyPath64,
-  PolyTree64,
-} from 'clipper2-ts';
-import {
+  type Bounds,
+  boundsOfAll,
   orientRing,
   perimeter,
   polygonArea,
@@ -15,7 +10,7 @@ import {
   signedArea,
   vertexCount,
 } from '../core/geometry/rings.ts';
-import { SegmentGrid } from '../core/geometry/segment-grid.ts';
+import { cellFor, SegmentGrid } from '../core/geometry/segment-grid.ts';
 import { squaredDistanceToSegment } from '../core/geometry/segments.ts';
 import type { Polygon, Ring } from '../core/types.ts';
 
@@ -67,9 +62,7 @@ export function combine(
   if (clip.length > 0) clipper.addClip(toPaths(clip, origin));
   const tree = new PolyTree64();
   clipper.execute(CLIP_TYPES[operation], FillRule.Positive, tree);
-  const polygons: Polygon[] = [];
-  collectPolygons(tree, origin, polygons);
-  return polygons;
+  return polygonsOf(tree, (path, turn) => toRing(path, origin, turn));
 }
 
 /**
@@ -118,24 +111,7 @@ const toSteps = (metres: number, origin: number): number => Math.round((metres -
 const toMetres = (steps: number, origin: number): number =>
   (origin * STEPS_PER_METRE + steps) / STEPS_PER_METRE;
 
-/** The tree alternates outer rings and holes; islands within holes become polygons of their own. */
-function collectPolygons(node: PolyPath64, origin: Origin, into: Polygon[]): void {
-  for (let i = 0; i < node.count; i++) {
-    const outerNode = node.child(i);
-    const outer = toRing(outerNode, origin, 'counter-clockwise');
-    const holes: Ring[] = [];
-    for (let j = 0; j < outerNode.count; j++) {
-      const holeNode = outerNode.child(j);
-      const hole = toRing(holeNode, origin, 'clockwise');
-      if (hole !== null) holes.push(hole);
-      collectPolygons(holeNode, origin, into);
-    }
-    if (outer !== null) into.push({ outer, holes });
-  }
-}
-
-function toRing(node: PolyPath64, origin: Origin, turn: 'counter-clockwise' | 'clockwise'): Ring | null {
-  const path = node.poly ?? [];
+function toRing(path: Path64, origin: Origin, turn: 'counter-clockwise' | 'clockwise'): Ring | null {
   const ring = Float64Array.from(
     path.flatMap(({ x, y }) => [toMetres(x, origin[0]), toMetres(y, origin[1])]),
   );
@@ -145,9 +121,10 @@ function toRing(node: PolyPath64, origin: Origin, turn: 'counter-clockwise' | 'c
 
 /** Squares around the vertices of an area that lie on an edge they do not belong to. Near-linear by a grid over the edges. */
 export function pinchesOf(polygons: readonly Polygon[], scale = 1): Polygon[] {
-  const { x, y, next, polygonOf } = edgesOf(polygons);
+  const edges = edgesOf(polygons);
+  const { x, y, polygonOf } = edges;
   if (x.length === 0) return [];
-  const grid = gridOver(x, y, next);
+  const grid = gridOver(edges, boundsOfAll(ringsOf(polygons)));
   const half = scale * PINCH_HALF;
   const pinches: Polygon[] = [];
   for (let v = 0; v < x.length; v++) {
@@ -193,23 +170,10 @@ function edgesOf(polygons: readonly Polygon[]): Edges {
   return { x, y, next, polygonOf };
 }
 
-/** As many cells as edges: a long edge then passes about √n of them. */
-function gridOver(x: Float64Array, y: Float64Array, next: Int32Array): SegmentGrid {
-  const [minX, maxX, minY, maxY] = [...rangeOf(x), ...rangeOf(y)];
-  const [width, height] = [maxX - minX, maxY - minY];
-  const cell = Math.max(Math.sqrt((width * height) / x.length), Math.max(width, height) / x.length) || 1;
-  const grid = new SegmentGrid(x, y, { minX, minY, maxX, maxY }, cell);
+function gridOver({ x, y, next }: Edges, bounds: Bounds): SegmentGrid {
+  const grid = new SegmentGrid(x, y, bounds, cellFor(bounds, x.length));
   for (let e = 0; e < x.length; e++) grid.add(e, next[e]);
   return grid;
-}
-
-function rangeOf(values: Float64Array): readonly [least: number, most: number] {
-  let [least, most] = [Infinity, -Infinity];
-  for (const value of values) {
-    least = Math.min(least, value);
-    most = Math.max(most, value);
-  }
-  return [least, most];
 }
 
 const squareAround = (x: number, y: number, half: number): Ring =>

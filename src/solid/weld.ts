@@ -1,3 +1,4 @@
+import { rootOf, separateSets, unite } from '../core/union-find.ts';
 import type { TriangleMesh } from './triangle-mesh.ts';
 
 /**
@@ -25,26 +26,14 @@ export function weld(corners: Float64Array, tolerance: number): TriangleMesh {
 
 /** Splits a mesh into the pieces that hang together by shared vertices, each with its own compact vertices. */
 export function splitShells({ positions, indices }: TriangleMesh): TriangleMesh[] {
-  const parent = Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
-  const rootOf = (vertex: number): number => {
-    let root = vertex;
-    while (parent[root] !== root) {
-      parent[root] = parent[parent[root]];
-      root = parent[root];
-    }
-    return root;
-  };
-  const join = (a: number, b: number) => {
-    const [low, high] = [rootOf(a), rootOf(b)].sort((s, t) => s - t);
-    parent[high] = low;
-  };
+  const parent = separateSets(positions.length / 3);
   for (let i = 0; i < indices.length; i += 3) {
-    join(indices[i], indices[i + 1]);
-    join(indices[i], indices[i + 2]);
+    unite(parent, indices[i], indices[i + 1]);
+    unite(parent, indices[i], indices[i + 2]);
   }
   const byRoot = new Map<number, number[]>();
   for (let i = 0; i < indices.length; i += 3) {
-    const root = rootOf(indices[i]);
+    const root = rootOf(parent, indices[i]);
     const shell = byRoot.get(root) ?? [];
     shell.push(indices[i], indices[i + 1], indices[i + 2]);
     byRoot.set(root, shell);

@@ -3,12 +3,9 @@ import type { Axis, Frame } from '../core/types.ts';
 
 const SVG = 'http://www.w3.org/2000/svg';
 const LETTERS = ['x', 'y', 'z'] as const;
-/** Half the gizmo, and from its middle to an axis' end and from there to the word ahead of it, px. */
+/** Half the gizmo, and from its middle to an axis' end, px. */
 const HALF = 56;
 const REACH = 38;
-const WORD_AHEAD = 22;
-/** Shorter than this an axis points at the eye. */
-const SHORT = 0.3;
 
 export interface AxisEvents {
   /** Take this axis for up. */
@@ -25,7 +22,10 @@ interface AxisEnd {
   readonly node: HTMLButtonElement;
 }
 
-/** The source's three axes as the camera sees them, up marked; made of elements, so keys and screen readers reach it. */
+/**
+ * The source's three axes as the camera sees them, up marked; made of elements, so keys and screen readers reach it. What
+ * is up, or what a press would do, is said beneath, where no axis ever points.
+ */
 export class AxisGizmo {
   readonly node = document.createElement('div');
   readonly #arms = LETTERS.map((letter) => {
@@ -34,7 +34,7 @@ export class AxisGizmo {
     return arm;
   });
   readonly #ends: readonly AxisEnd[];
-  readonly #word = document.createElement('span');
+  readonly #caption = document.createElement('span');
   /** The source's axes in the plan frame. */
   #axes: readonly Vector3[] = [];
   #up: Axis = 'z';
@@ -52,10 +52,13 @@ export class AxisGizmo {
     this.#ends = LETTERS.flatMap((_, index) =>
       ([1, -1] as const).map((sign) => makeEnd(index, sign, (axis) => events.onUp(axis))),
     );
-    this.#word.className = 'axis-up';
-    this.#word.textContent = 'up';
-    this.#word.setAttribute('aria-hidden', 'true');
-    this.node.append(drawing, ...this.#ends.map(({ node }) => node), this.#word, makeMore(events));
+    this.#caption.className = 'axis-caption';
+    this.#caption.setAttribute('aria-hidden', 'true');
+    this.node.append(drawing, ...this.#ends.map(({ node }) => node), this.#caption, makeMore(events));
+    for (const { axis, node } of this.#ends) {
+      for (const type of ['pointerenter', 'focus']) node.addEventListener(type, () => this.#say(axis));
+      for (const type of ['pointerleave', 'blur']) node.addEventListener(type, () => this.#say(this.#up));
+    }
   }
 
   /** Where the source's axes point in the plan frame, and which is up. */
@@ -64,38 +67,38 @@ export class AxisGizmo {
     this.#up = up;
     this.node.hidden = false;
     for (const { axis, node } of this.#ends) {
-      const words = axis === up ? `${axis} is up` : `Take ${axis} for up`;
+      const words = this.#wordsFor(axis);
       node.setAttribute('aria-label', words);
       node.title = words;
       node.setAttribute('aria-pressed', String(axis === up));
     }
+    this.#say(up);
     if (this.#camera) this.turn(this.#camera);
   }
 
   /** Turns the axes as a camera of this orientation sees them. CSS points y down. */
   turn(camera: Quaternion): void {
     this.#camera = camera.clone();
+    if (this.#axes.length === 0) return;
     const seen = this.#axes.map((axis) => axis.clone().applyQuaternion(camera.clone().invert()));
     for (const [k, tip] of seen.entries()) {
       this.#arms[k].setAttribute('x2', (REACH * tip.x).toFixed(1));
       this.#arms[k].setAttribute('y2', (-REACH * tip.y).toFixed(1));
     }
-    for (const { axis, index, sign, node } of this.#ends) {
-      if (seen.length === 0) return;
+    for (const { index, sign, node } of this.#ends) {
       const { x, y, z } = seen[index].clone().multiplyScalar(sign);
       node.style.transform = `translate(${(REACH * x).toFixed(1)}px, ${(-REACH * y).toFixed(1)}px)`;
       // What is nearer to the eye lies above.
       node.style.zIndex = String(Math.round(10 * (z + 1)));
-      if (axis === this.#up) this.#placeWord(x, y);
     }
   }
 
-  /** Ahead of the end that is up; above it when that points at the eye. */
-  #placeWord(x: number, y: number): void {
-    const length = Math.hypot(x, y);
-    const [ux, uy] = length < SHORT ? [0, 1] : [x / length, y / length];
-    const [dx, dy] = [REACH * x + WORD_AHEAD * ux, -REACH * y - WORD_AHEAD * uy];
-    this.#word.style.transform = `translate(${dx.toFixed(1)}px, ${dy.toFixed(1)}px)`;
+  #wordsFor(axis: Axis): string {
+    return axis === this.#up ? `${axis} is up` : `Take ${axis} for up`;
+  }
+
+  #say(axis: Axis): void {
+    this.#caption.textContent = this.#wordsFor(axis).replace('-', '−');
   }
 }
 

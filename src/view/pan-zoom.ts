@@ -14,6 +14,10 @@ export interface PanZoomEvents {
 const STEP = 1.25;
 /** Wheel travel that zooms by {@link STEP}, px. */
 const WHEEL_NOTCH = 100;
+/** A line of a wheel that tells lines, px. */
+const WHEEL_LINE = 33;
+/** A pinch on a touchpad comes as a wheel with ctrlKey and travel this many times smaller. */
+const PINCH = 4;
 /** An arrow key moves by this, px. */
 const ARROW = 48;
 /** Bounds of zoom relative to the whole sheet in view. */
@@ -132,9 +136,8 @@ export class PanZoom {
 
   #wheel(event: WheelEvent): void {
     event.preventDefault();
-    // A pinch on a touchpad comes as a wheel with ctrlKey and small travel.
-    const travel =
-      (event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 33 : 1) * event.deltaY * (event.ctrlKey ? 4 : 1);
+    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? WHEEL_LINE : 1;
+    const travel = unit * event.deltaY * (event.ctrlKey ? PINCH : 1);
     this.#zoomBy(STEP ** (-travel / WHEEL_NOTCH), this.#local(event));
   }
 

@@ -21,6 +21,10 @@ export class PointLayer {
     this.node.setAttribute('aria-hidden', 'true');
   }
 
+  get xy(): Float64Array {
+    return this.#xy;
+  }
+
   /** @param spacing mean distance between neighbours, m */
   set(xy: Float64Array, spacing: number): void {
     this.#xy = xy;

@@ -66,16 +66,15 @@ export class SceneView {
   readonly #target = new Mesh(new BufferGeometry());
   #box = new Box3();
   #top = Number.MAX_VALUE;
-  #layers: SceneLayers = { model: true, cloud: true, grid: true, ceiling: false };
+  #layers: SceneLayers;
   #hasModel = false;
   #pending = 0;
   #ink = '';
 
-  /**
-   * @param host an empty element; it gets the keyboard focus and the gestures
-   */
-  constructor(host: HTMLElement, events: SceneEvents) {
+  /** @param host an empty element; it gets the keyboard focus and the gestures */
+  constructor(host: HTMLElement, layers: SceneLayers, events: SceneEvents) {
     this.#host = host;
+    this.#layers = layers;
     host.tabIndex = 0;
     host.setAttribute('role', 'group');
     host.setAttribute(

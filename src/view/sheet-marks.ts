@@ -28,11 +28,11 @@ export interface SpotMark {
   readonly isCaught: boolean;
 }
 
-/** A box along the axes of the plan; what lies outside is veiled. */
+/** A box; what lies outside is veiled. */
 export interface BoxMark {
   readonly kind: 'box';
-  readonly low: Place;
-  readonly high: Place;
+  /** All the way round. */
+  readonly corners: readonly Place[];
   /** Places a hand takes it by. */
   readonly handles: readonly Place[];
 }
@@ -52,6 +52,8 @@ const SPOT = 4.5;
 const HANDLE = 5;
 /** From a length's line to the middle of its words, px. */
 const WORDS_ASIDE = 14;
+/** Beside a line as steep as this words stand, over a flatter one they lie; sine of its angle. */
+const STEEP = 0.5;
 /** The veil reaches this far beyond the screen, px. */
 const FAR = 1e5;
 
@@ -100,7 +102,7 @@ function shapesOf(mark: SheetMark, place: (at: Place) => Pixel, pixelsPerMetre: 
   }
 }
 
-/** A line with a stroke across either end, and its words beside the middle, upright. */
+/** A line with a stroke across either end, and its words beside the middle, upright, and clear of a steep line. */
 function lengthShapes(from: Pixel, to: Pixel, words: string): SVGElement[] {
   const [ux, uy] = directionOf(from, to);
   const across = ([x, y]: Pixel) => {
@@ -113,7 +115,9 @@ function lengthShapes(from: Pixel, to: Pixel, words: string): SVGElement[] {
     (from[0] + to[0]) / 2 - side * uy * WORDS_ASIDE,
     (from[1] + to[1]) / 2 + side * ux * WORDS_ASIDE,
   ];
-  const text = shape('text', { class: 'mark-words', x, y });
+  const aside = -side * uy;
+  const anchor = Math.abs(aside) < STEEP ? 'middle' : aside > 0 ? 'start' : 'end';
+  const text = shape('text', { class: 'mark-words', x, y, 'text-anchor': anchor });
   text.textContent = words;
   return [
     shape('path', { class: 'mark mark-length-rim', d: line }),
@@ -122,8 +126,7 @@ function lengthShapes(from: Pixel, to: Pixel, words: string): SVGElement[] {
   ];
 }
 
-function boxShapes({ low, high, handles }: BoxMark, place: (at: Place) => Pixel): SVGElement[] {
-  const corners = [low, [high[0], low[1]], high, [low[0], high[1]]] as const;
+function boxShapes({ corners, handles }: BoxMark, place: (at: Place) => Pixel): SVGElement[] {
   const ring = `M${corners.map((corner) => pair(...place(corner))).join('L')}Z`;
   const veil = `M${-FAR},${-FAR}H${FAR}V${FAR}H${-FAR}Z${ring}`;
   return [

@@ -1,3 +1,4 @@
+import { boundsOf } from '../core/robust-scale.ts';
 import { planPlace, sourceCoordinates } from '../core/source-coordinates.ts';
 import type { Frame } from '../core/types.ts';
 import type { Placement } from './pan-zoom.ts';
@@ -59,12 +60,7 @@ export function flatten(
   [width, height]: Size,
   margin: number,
 ): { xy: Float64Array; planToSheet: SheetTransform } {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i++) {
-    low[i % 3] = Math.min(low[i % 3], positions[i]);
-    high[i % 3] = Math.max(high[i % 3], positions[i]);
-  }
+  const { min: low, max: high } = boundsOf(positions);
   const extent = high.map((value, axis) => value - low[axis]);
   const flat = extent.indexOf(Math.min(...extent));
   const [u, v] = [0, 1, 2].filter((axis) => axis !== flat);

@@ -25,6 +25,8 @@ export interface SheetPlace {
   readonly at: readonly [x: number, y: number];
   /** What a hand misses by, m. */
   readonly reach: number;
+  /** Of the plan on its sheet, radians, counter-clockwise. */
+  readonly turn: number;
 }
 
 /** What a pointer does to the plan while it is held. */
@@ -57,12 +59,12 @@ const MARGIN = 16;
 const FOOT = 40;
 /** Coordinates are read to a millimetre, whatever the source unit. m */
 const PRECISION = 0.001;
+
 /** The 2D view: the exported SVG itself with pan and zoom, the slice's points beneath it, a scale bar and coordinates. */
 export class SheetView {
   readonly #host: HTMLElement;
   readonly #page = document.createElement('div');
   /** Points the plan was not made from. */
-  #aroundShown: Float64Array | null = null;
   readonly #around = new PointLayer('points around');
   readonly #points = new PointLayer('points');
   readonly #paper = document.createElement('div');
@@ -144,8 +146,7 @@ export class SheetView {
 
   /** Points beneath those of the slice, paler; none takes them away. @param xy x, y a point, m */
   showAround(xy: Float64Array): void {
-    if (xy === this.#aroundShown) return;
-    this.#aroundShown = xy;
+    if (xy === this.#around.xy) return;
     this.#around.node.hidden = xy.length === 0;
     this.#around.set(xy, 0);
     this.#schedule();
@@ -158,12 +159,6 @@ export class SheetView {
     this.#tool = tool;
     this.#host.classList.toggle('has-tool', tool !== null);
     this.#showCursor();
-  }
-
-  #showCursor(): void {
-    const cursor = this.#tool?.cursor ?? null;
-    const isDirection = cursor !== null && cursor !== 'move';
-    this.#host.style.cursor = isDirection ? resizeCursor(cursor, this.#drawing) : (cursor ?? '');
   }
 
   /** Marks places of the plan; the marks before go. */
@@ -236,6 +231,12 @@ export class SheetView {
     host.addEventListener('dblclick', isolate, { signal, capture: true });
   }
 
+  #showCursor(): void {
+    const cursor = this.#tool?.cursor ?? null;
+    const isDirection = cursor !== null && cursor !== 'move';
+    this.#host.style.cursor = isDirection ? resizeCursor(cursor, this.#drawing) : (cursor ?? '');
+  }
+
   #point(event: PointerEvent): void {
     const place = this.#placeOf(event, event.pointerType);
     if (!place || !this.#frame) return;
@@ -293,6 +294,7 @@ export class SheetView {
     return {
       at: this.#planAt(clientX - left, clientY - top),
       reach: reach / (zoom * Math.hypot(planToSheet[0], planToSheet[1])),
+      turn: Math.atan2(-planToSheet[1], planToSheet[0]),
     };
   }
 }

@@ -1,3 +1,4 @@
+import { boundsOf } from '../core/geometry/rings.ts';
 import { OKABE_ITO } from '../write/pictures/palette.ts';
 import { blankPixels, dot, hexWord, inkWord, showPixels } from './pixels.ts';
 
@@ -16,28 +17,18 @@ export function drawSlice(canvas: HTMLCanvasElement, xy: Float64Array, groups?: 
   const ratio = globalThis.devicePixelRatio || 1;
   const pixels = blankPixels(Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio));
   const { width, height } = pixels;
-  const { low, high } = boundsOf(xy);
+  const { minX, minY, maxX, maxY } = boundsOf(xy);
   const margin = MARGIN * ratio;
   const scale = Math.min(
-    (width - 2 * margin) / Math.max(high[0] - low[0], Number.EPSILON),
-    (height - 2 * margin) / Math.max(high[1] - low[1], Number.EPSILON),
+    (width - 2 * margin) / Math.max(maxX - minX, Number.EPSILON),
+    (height - 2 * margin) / Math.max(maxY - minY, Number.EPSILON),
   );
   const ink = inkWord(getComputedStyle(canvas).color, 1);
   const step = Math.max(1, Math.ceil(xy.length / 2 / MOST_POINTS));
   for (let i = 0; i < xy.length / 2; i += step) {
-    const x = Math.floor(width / 2 + scale * (xy[2 * i] - (low[0] + high[0]) / 2));
-    const y = Math.floor(height / 2 - scale * (xy[2 * i + 1] - (low[1] + high[1]) / 2));
+    const x = Math.floor(width / 2 + scale * (xy[2 * i] - (minX + maxX) / 2));
+    const y = Math.floor(height / 2 - scale * (xy[2 * i + 1] - (minY + maxY) / 2));
     dot(pixels, x, y, Math.round(ratio), groups ? GROUP_INKS[groups[i] % GROUP_INKS.length] : ink);
   }
   return showPixels(canvas, pixels);
-}
-
-function boundsOf(xy: Float64Array): { low: [number, number]; high: [number, number] } {
-  const low: [number, number] = [Infinity, Infinity];
-  const high: [number, number] = [-Infinity, -Infinity];
-  for (let i = 0; i < xy.length; i++) {
-    low[i % 2] = Math.min(low[i % 2], xy[i]);
-    high[i % 2] = Math.max(high[i % 2], xy[i]);
-  }
-  return { low, high };
 }

@@ -43,6 +43,12 @@ interface Loaded {
 
 type RequestBody = Request extends infer R ? (R extends Request ? Omit<R, 'id'> : never) : never;
 
+const NO_WORKER: Warning = {
+  code: 'environment/worker',
+  message: 'No worker could be started, so the plan is made on the page itself, which may stall.',
+  hint: "Allow worker-src blob: in the page's content security policy, or give the element a worker.",
+};
+
 /**
  * The pipeline off the main thread. The latest load or update wins; an overtaken one rejects with `cancelled`.
  * Cancelling ends the worker, which frees its memory at once; a worker may also die. Either way the last good scan is
@@ -159,19 +165,10 @@ export class PlanClient {
     this.#isReady = false;
     this.#starts ??= spawnOrder(this.#events.spawnWorker?.());
     const [start] = this.#starts;
-    if (!start) {
-      this.#events.onWarning?.({
-        code: 'environment/worker',
-        message: 'No worker could be started, so the plan is made on the page itself, which may stall.',
-        hint: "Allow worker-src blob: in the page's content security policy, or give the element a worker.",
-      });
-      this.#line = openMainThread(events);
-      return;
-    }
-    this.#line = openWorker(start, events);
+    this.#line = start ? openWorker(start, events) : openMainThread(events);
   }
 
-  /** A line that never got ready is replaced by the next way to a worker; one that did has died. */
+  /** A line that never got ready is replaced by the next way to a worker, if any is left; one that did has died. */
   #broke(): void {
     const wasReady = this.#isReady;
     this.#close();
@@ -180,7 +177,13 @@ export class PlanClient {
       this.#rejectAll(new FloorPlanError('environment/worker', 'The worker stopped unexpectedly.', { hint }));
       return;
     }
-    this.#starts?.shift();
+    if (!this.#starts?.shift()) {
+      const message = 'The part of the program that makes plans could not be fetched.';
+      const hint = 'Reload the page to try again.';
+      this.#rejectAll(new FloorPlanError('environment/network', message, { hint }));
+      return;
+    }
+    if (this.#starts.length === 0) this.#events.onWarning?.(NO_WORKER);
     this.#open();
   }
 

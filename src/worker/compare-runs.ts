@@ -11,15 +11,15 @@ export interface ComparedRuns {
   readonly labels: readonly [here: string, there: string];
   readonly here: StageResults;
   readonly there: RunResult;
-  /** What a stage took when it last ran for the plan shown, ms. */
-  timeOf(stage: StageName): number;
+  /** What each stage took when it last ran for the plan shown, ms. */
+  readonly times: ReadonlyMap<StageName, number>;
 }
 
 /**
  * Two runs of one scan side by side. Measured is what differs: the primary boundaries, or where those are the same
  * result the secondary boundaries.
  */
-export function compareRuns({ labels, here, there, timeOf }: ComparedRuns): Comparison {
+export function compareRuns({ labels, here, there, times }: ComparedRuns): Comparison {
   const isOutlineSame = here.regularise === there.regularise;
   const subject = isOutlineSame && here.secondary !== there.secondary ? 'secondary' : 'primary';
   const { vertices, areaM2, iou, distance95 } = comparePolygons(
@@ -43,7 +43,7 @@ export function compareRuns({ labels, here, there, timeOf }: ComparedRuns): Comp
     overlaid: draw('overlaid'),
     beside: draw('beside'),
     subject,
-    here: planOf(here, 0, sum(ran.map(({ name }) => timeOf(name)))),
+    here: planOf(here, 0, sum(ran.map(({ name }) => times.get(name) ?? 0))),
     there: planOf(there, 1, sum(ran.map(({ ms }) => ms))),
     iou,
     distance: distance95,

@@ -1,6 +1,5 @@
-import type { StageReport } from '../core/pipeline-run.ts';
 import type { StageResults } from '../core/stage-results.ts';
-import type { StageName } from '../core/stages.ts';
+import type { Session } from '../session/session.ts';
 import {
   type PictureFacts as DrawnFacts,
   drawPicture,
@@ -16,28 +15,25 @@ import type { PictureFacts } from './protocol.ts';
 type Results = Partial<StageResults>;
 type Asked = Pick<DrawnFacts, 'options' | 'round'>;
 
+/** The pictures that a session's last run has something to show in. */
+export function listPictures({
+  evidence,
+  reports,
+  times,
+}: Pick<Session, 'evidence' | 'reports' | 'times'>): PictureFacts[] {
+  return PICTURE_NAMES.filter((name) => hasPicture(name, evidence)).map((name) => {
+    const { label, doc, stage, figure } = PICTURES[name];
+    // What there is a picture of has run.
+    const { outcome } = reports.find((report) => report.name === stage)!;
+    const [ms, rounds] = [times.get(stage) ?? 0, roundsOf(name, evidence)];
+    return { name, file: pictureFile(name), stage, label, doc, figure, outcome, ms, rounds };
+  });
+}
+
 /** Draws the pictures of runs, each once as long as its stage's result lives. */
 export class PictureDesk {
   /** By result of a stage: the stages before have made the same as long as it is the same. */
   readonly #drawn = new WeakMap<object, Map<string, string | null>>();
-  /** Of each stage, when it last ran. */
-  readonly #reports = new Map<StageName, StageReport>();
-
-  /** The pictures a run has something to show in. @param reports of that run */
-  list(results: Results, reports: readonly StageReport[]): PictureFacts[] {
-    for (const report of reports) if (!report.isCached) this.#reports.set(report.name, report);
-    return PICTURE_NAMES.filter((name) => hasPicture(name, results)).map((name) => {
-      const { label, doc, stage, figure } = PICTURES[name];
-      const { outcome = '', ms = 0 } = this.#reports.get(stage) ?? {};
-      const rounds = roundsOf(name, results);
-      return { name, file: pictureFile(name), stage, label, doc, figure, outcome, ms, rounds };
-    });
-  }
-
-  /** How long each stage took when it last ran. ms */
-  timeOf(stage: StageName): number {
-    return this.#reports.get(stage)?.ms ?? 0;
-  }
 
   /**
    * @param facts options of that run, and the round asked for

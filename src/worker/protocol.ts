@@ -15,6 +15,8 @@ export interface PlanView {
   /** A uniform sample of the cloud for display: metres, z up, the solid's frame. */
   readonly cloud: CloudView;
   readonly surroundings: Surroundings;
+  /** The scan is a ready slice, already in the plan frame. */
+  readonly isSlice: boolean;
   /** One sentence each: why this unit, why this axis. */
   readonly reasons: PointCloud['reasons'];
   readonly slice: Slice;

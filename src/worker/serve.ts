@@ -7,7 +7,7 @@ import { blobSource } from '../read/bytes/blob-source.ts';
 import { urlSource } from '../read/bytes/url-source.ts';
 import { Session, type SessionControl } from '../session/session.ts';
 import { compareRuns } from './compare-runs.ts';
-import { PictureDesk } from './picture-desk.ts';
+import { listPictures, PictureDesk } from './picture-desk.ts';
 import type { PictureOf, Request, Response } from './protocol.ts';
 import { makeView } from './view.ts';
 
@@ -54,13 +54,22 @@ export function serve(post: Post, ended?: AbortSignal): (request: Request) => vo
   };
 }
 
+/** A run whose pictures can be asked for. */
+interface ShownRun {
+  readonly results: Partial<StageResults>;
+  readonly options?: Options | undefined;
+  /** What each stage took when it last ran on its scan, ms. */
+  readonly times: ReadonlyMap<StageName, number>;
+}
+
+const NO_RUN: ShownRun = { results: {}, times: new Map() };
+
 /** The session with what the page asks of it beside runs. */
 class Desk {
   readonly #post: Post;
   readonly #session = new Session({ breathe });
   readonly #pictures = new PictureDesk();
-  readonly #results: Record<PictureOf, Partial<StageResults>> = { plan: {}, failed: {} };
-  readonly #options: Partial<Record<PictureOf, Options | undefined>> = {};
+  readonly #runs: Record<PictureOf, ShownRun> = { plan: NO_RUN, failed: NO_RUN };
 
   constructor(post: Post) {
     this.#post = post;
@@ -76,9 +85,9 @@ class Desk {
         return this.#compare(request, signal);
       case 'picture': {
         const { name, of, round } = request;
-        const options = this.#options[of];
+        const { results, options } = this.#runs[of];
         const facts = { ...(options && { options }), ...(round && { round }) };
-        const svg = this.#pictures.draw(name, this.#results[of], facts);
+        const svg = this.#pictures.draw(name, results, facts);
         return this.#post({ kind: 'picture', id, svg });
       }
       case 'export': {
@@ -98,20 +107,17 @@ class Desk {
       throwIfAborted(signal);
     } catch (error) {
       if (error instanceof FloorPlanError && error.code === 'cancelled') throw error;
-      this.#results.failed = this.#session.evidence;
-      const { read } = this.#results.failed;
-      this.#options.failed = read && resolveOptions(request.options, read);
-      const { reports } = this.#session;
-      const pictures = this.#pictures.list(this.#results.failed, reports);
-      const evidence = { stage: STAGE_NAMES[reports.length], pictures };
+      const { evidence: results, reports, times } = this.#session;
+      const options = results.read && resolveOptions(request.options, results.read);
+      this.#runs.failed = { results, options, times };
+      const evidence = { stage: STAGE_NAMES[reports.length], pictures: listPictures(this.#session) };
       return this.#post({ kind: 'error', id: request.id, error: toPlainError(error), evidence });
     }
     const totalMs = performance.now() - start;
-    this.#results.plan = this.#session.evidence;
-    this.#options.plan = this.#session.result?.options;
-    this.#results.failed = {};
-    const pictures = this.#pictures.list(this.#results.plan, this.#session.reports);
-    const { view, transfer } = makeView(this.#session, pictures, totalMs);
+    const { evidence: results, result, times } = this.#session;
+    this.#runs.plan = { results, options: result?.options, times };
+    this.#runs.failed = NO_RUN;
+    const { view, transfer } = makeView(this.#session, listPictures(this.#session), totalMs);
     this.#post({ kind: 'view', id: request.id, view }, transfer);
   }
 
@@ -132,9 +138,8 @@ class Desk {
     const there = await this.#session.compare(options, controlOf(id, signal, this.#post));
     throwIfAborted(signal);
     // The session compares only where there is a plan, so every stage has its result.
-    const here = this.#results.plan as StageResults;
-    const timeOf = (stage: StageName) => this.#pictures.timeOf(stage);
-    const comparison = compareRuns({ labels, here, there, timeOf });
+    const { results, times } = this.#runs.plan;
+    const comparison = compareRuns({ labels, here: results as StageResults, there, times });
     this.#post({ kind: 'comparison', id, comparison });
   }
 }

@@ -12,7 +12,7 @@ export interface Line {
 
 export interface LineEvents {
   onResponse(response: Response): void;
-  /** The line broke: the worker could not start, or died. */
+  /** The line broke: the worker or its code could not start, or it died. */
   onBroken(): void;
 }
 
@@ -59,7 +59,7 @@ export function openWorker(start: Start, { onResponse, onBroken }: LineEvents): 
 }
 
 /** The pipeline on the page's own thread: slow pages beat no plan. */
-export function openMainThread({ onResponse }: LineEvents): Line {
+export function openMainThread({ onResponse, onBroken }: LineEvents): Line {
   const closed = new AbortController();
   const post = (response: Response) => {
     if (!closed.signal.aborted) onResponse(structuredClone(response));
@@ -69,7 +69,9 @@ export function openMainThread({ onResponse }: LineEvents): Line {
     post({ kind: 'ready' });
     return receive;
   });
+  ready.catch(() => closed.signal.aborted || onBroken());
   return {
+    // Nothing is sent before it is ready, so it has not failed.
     send: (request) => void ready.then((receive) => receive(request)),
     close: () => closed.abort(),
   };

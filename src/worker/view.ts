@@ -1,7 +1,7 @@
 import { isWithin } from '../core/crop.ts';
 import { parseCrop } from '../core/crop-box.ts';
-import { boundsOf } from '../core/frame/robust-scale.ts';
 import type { Options } from '../core/params.ts';
+import { boundsOf } from '../core/robust-scale.ts';
 import type { PointAttributes, PointCloud, Vec3 } from '../core/types.ts';
 import { makeReport } from '../session/report.ts';
 import type { Session } from '../session/session.ts';
@@ -28,6 +28,7 @@ export function makeView(
     solid,
     cloud,
     surroundings,
+    isSlice: result.read.isSlice,
     reasons: result.frame.reasons,
     slice,
     levels: level.levels,

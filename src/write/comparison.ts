@@ -1,4 +1,4 @@
-import { type Bounds, ringsOf } from '../core/geometry/rings.ts';
+import { type Bounds, boundsOfAll, ringsOf } from '../core/geometry/rings.ts';
 import type { StageResults } from '../core/stage-results.ts';
 import type { Polygon } from '../core/types.ts';
 import { comparePolygons } from './compare-polygons.ts';
@@ -6,7 +6,7 @@ import { path } from './pictures/marks.ts';
 import { mappedRings, slicePoints } from './pictures/outline-pictures.ts';
 import { CONTENT_WIDTH, type Drawing, lengthWords, MARGIN, pageOf } from './pictures/page.ts';
 import { MUTED, OKABE_ITO } from './pictures/palette.ts';
-import { boundsOfAll, type TopView, topView } from './pictures/top-view.ts';
+import { type TopView, topView } from './pictures/top-view.ts';
 
 /** One side of a comparison. */
 export interface ComparedRun {

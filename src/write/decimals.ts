@@ -6,5 +6,11 @@ export function decimal(value: number, digits: number): string {
   return short === '-0' ? '0' : short;
 }
 
+/** The greatest of 1, 2, 5 × 10ⁿ up to a value. */
+export function greatestRound(most: number): number {
+  const power = 10 ** Math.floor(Math.log10(most));
+  return power * ([5, 2].find((step) => step * power <= most) ?? 1);
+}
+
 /** The number {@link decimal} would write. */
 export const rounded = (value: number, digits: number): number => Number(decimal(value, digits));

@@ -1,7 +1,7 @@
-import { boundsOf } from '../core/geometry/rings.ts';
+import { type Bounds, boundsOfAll } from '../core/geometry/rings.ts';
 import type { Polygon } from '../core/types.ts';
 import type { Affine, SheetItem } from './sheet.ts';
-import type { Extent, Surround } from './sheet-page.ts';
+import type { Surround } from './sheet-page.ts';
 
 /** Distance of the first chain from the plan, between chains, and of text above its line, mm. */
 const FIRST_CHAIN = 10;
@@ -52,7 +52,7 @@ export interface Dimensions {
  * @param footprint disjoint polygons, metres
  * @param scale 50 for 1:50
  */
-export function planDimensions(footprint: readonly Polygon[], extent: Extent, scale: number): Dimensions {
+export function planDimensions(footprint: readonly Polygon[], extent: Bounds, scale: number): Dimensions {
   const chains = { left: [], right: [], top: [], bottom: [] } as Record<Side['name'], (readonly number[])[]>;
   const surround = { left: 0, right: 0, top: 0, bottom: 0 };
   for (const side of SIDES) {
@@ -67,7 +67,7 @@ export function planDimensions(footprint: readonly Polygon[], extent: Extent, sc
 }
 
 /** Draws the chains: thin lines, oblique ticks, figures in metres to the centimetre read from below or the right. */
-export function drawDimensions({ chains }: Dimensions, extent: Extent, planToSheet: Affine): SheetItem[] {
+export function drawDimensions({ chains }: Dimensions, extent: Bounds, planToSheet: Affine): SheetItem[] {
   return SIDES.flatMap((side) =>
     chains[side.name].flatMap((places, i) =>
       drawChain(side, places, { extent, planToSheet, offset: FIRST_CHAIN + i * NEXT_CHAIN }),
@@ -78,7 +78,7 @@ export function drawDimensions({ chains }: Dimensions, extent: Extent, planToShe
 function drawChain(
   side: Side,
   places: readonly number[],
-  { extent, planToSheet, offset }: { extent: Extent; planToSheet: Affine; offset: number },
+  { extent, planToSheet, offset }: { extent: Bounds; planToSheet: Affine; offset: number },
 ): SheetItem[] {
   const edge = {
     left: extent.minX,
@@ -165,12 +165,6 @@ function reach(rings: readonly Float64Array[], { along, away }: Side, place: num
 }
 
 /** The box around an area. */
-export function extentOf(polygons: readonly Polygon[]): Extent {
-  const boxes = polygons.map(({ outer }) => boundsOf(outer));
-  return {
-    minX: Math.min(...boxes.map(({ minX }) => minX)),
-    minY: Math.min(...boxes.map(({ minY }) => minY)),
-    maxX: Math.max(...boxes.map(({ maxX }) => maxX)),
-    maxY: Math.max(...boxes.map(({ maxY }) => maxY)),
-  };
+export function extentOf(polygons: readonly Polygon[]): Bounds {
+  return boundsOfAll(polygons.map(({ outer }) => outer));
 }

@@ -5,6 +5,8 @@ import { type Affine, mapped, type SheetItem } from './sheet.ts';
 
 /** Decimals of plan metres in data attributes: 0.1 mm. */
 const DIGITS = 4;
+/** A corner of the hole this near the end of an opening is the jamb's, m: the Booleans' rounding and more. */
+const AT_JAMB = 1e-4;
 
 /**
  * Draws openings in the walls: thin lines across the wall at both jambs, and for a door a thin line from jamb to jamb,
@@ -47,6 +49,3 @@ function jambsOf(hole: readonly Polygon[], { from, to }: Opening): Float64Array[
     return low < high ? [Float64Array.of(...at(low), ...at(high))] : [];
   });
 }
-
-/** A corner of the hole this near the end of an opening is the jamb's, m: the Booleans' rounding and more. */
-const AT_JAMB = 1e-4;

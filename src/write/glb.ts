@@ -1,3 +1,4 @@
+import { boundsOf } from '../core/robust-scale.ts';
 import type { SolidGroup } from '../core/types.ts';
 import { flattenMesh } from './flat-mesh.ts';
 import type { Product } from './plan-writer.ts';
@@ -95,13 +96,8 @@ function addAccessor(
 }
 
 function bounds(positions: Float32Array): { min: number[]; max: number[] } {
-  const min = [Infinity, Infinity, Infinity];
-  const max = [-Infinity, -Infinity, -Infinity];
-  positions.forEach((value, i) => {
-    min[i % 3] = Math.min(min[i % 3], value);
-    max[i % 3] = Math.max(max[i % 3], value);
-  });
-  return { min, max };
+  const { min, max } = boundsOf(positions);
+  return { min: [...min], max: [...max] };
 }
 
 /** Bytes laid end to end, each piece at a multiple of four as glTF asks. */

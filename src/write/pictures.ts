@@ -15,7 +15,6 @@ import {
   drawSecondaryOutline,
   takenClusters,
 } from './pictures/secondary-pictures.ts';
-
 import type { WrittenFile } from './plan-writer.ts';
 
 export type { PictureFacts, PictureRow } from './pictures/picture.ts';

@@ -1,3 +1,4 @@
+import type { Bounds } from '../core/geometry/rings.ts';
 import type { Affine, Paper } from './sheet.ts';
 
 /** Room around the plan for dimension chains, mm a side. */
@@ -6,14 +7,6 @@ export interface Surround {
   readonly right: number;
   readonly top: number;
   readonly bottom: number;
-}
-
-/** Extent of what is drawn, plan metres. */
-export interface Extent {
-  readonly minX: number;
-  readonly minY: number;
-  readonly maxX: number;
-  readonly maxY: number;
 }
 
 export interface Page {
@@ -55,7 +48,7 @@ const SCALES = [
  * Chooses scale and paper: the largest scale whose plan fits a paper worth it, on the smallest such paper, and puts
  * the plan in the middle of the space above the strip. Larger than 1:2000 on A0, the scale goes on in steps of 1-2-5.
  */
-export function fitPage(extent: Extent, surround: Surround): Page {
+export function fitPage(extent: Bounds, surround: Surround): Page {
   for (const [scale, largest] of SCALES) {
     const paper = smallestPaper(extent, surround, { scale, largest });
     if (paper !== null) return pageOf(paper, scale, extent, surround);
@@ -70,7 +63,7 @@ export function fitPage(extent: Extent, surround: Surround): Page {
 }
 
 function smallestPaper(
-  { minX, minY, maxX, maxY }: Extent,
+  { minX, minY, maxX, maxY }: Bounds,
   { left, right, top, bottom }: Surround,
   { scale, largest }: { scale: number; largest: number },
 ): Paper | null {
@@ -91,7 +84,7 @@ function smallestPaper(
   return null;
 }
 
-function pageOf(paper: Paper, scale: number, extent: Extent, surround: Surround): Page {
+function pageOf(paper: Paper, scale: number, extent: Bounds, surround: Surround): Page {
   const { minX, minY, maxX, maxY } = extent;
   const { left, right, top, bottom } = surround;
   const k = 1000 / scale;

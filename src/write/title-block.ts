@@ -1,3 +1,4 @@
+import { greatestRound } from './decimals.ts';
 import { hatch } from './hatch.ts';
 import { HATCHES } from './secondary-hatch.ts';
 import { type Paper, type SheetItem, TEXT_SIZES } from './sheet.ts';
@@ -21,7 +22,7 @@ const TITLE_WIDTH = 96;
 /** The arrow along the scan's y axis: its column at the right edge, and half its length, mm. */
 const ARROW = { column: 14, reach: 4.5, head: 2.6, half: 1 } as const;
 const LINE_HEIGHT = 4.2;
-/** Segments of the scale bar, and the lengths a segment may have, metres; the longest that fits is taken. */
+/** Segments of the scale bar, and what one may be long, mm. */
 const SEGMENTS = 4;
 const LONGEST_SEGMENT = 20;
 const BAR_HEIGHT = 1.6;
@@ -93,7 +94,7 @@ function drawHeading(turn: number, x: number, y: number): SheetItem[] {
 }
 
 function drawScaleBar(scale: number, left: number, top: number): SheetItem[] {
-  const metres = segmentLength(scale);
+  const metres = greatestRound((LONGEST_SEGMENT * scale) / 1000);
   const width = (metres * 1000) / scale;
   const box = (i: number) => {
     const [x, y] = [left + i * width, top + BAR_HEIGHT];
@@ -122,13 +123,6 @@ function drawScaleBar(scale: number, left: number, top: number): SheetItem[] {
     });
   }
   return items;
-}
-
-/** The longest of 1, 2, 5 × 10ⁿ metres whose segment is no longer on paper than allowed. */
-function segmentLength(scale: number): number {
-  const longest = (LONGEST_SEGMENT * scale) / 1000;
-  const power = 10 ** Math.floor(Math.log10(longest));
-  return power * ([5, 2].find((step) => step * power <= longest) ?? 1);
 }
 
 function drawLegend(entries: readonly LegendEntry[], left: number, top: number): SheetItem[] {

@@ -1,5 +1,5 @@
 import { execFile } from 'node:child_process';
-import { rm, statfs } from 'node:fs/promises';
+import { mkdir, rm, statfs } from 'node:fs/promises';
 import { resolve } from 'node:path';
 import { promisify } from 'node:util';
 import { cacheFolder, cloudFile } from './clouds.ts';
@@ -17,6 +17,7 @@ const run = promisify(execFile);
 
 /** A big LAS and one of a tenth, in the command and in Chromium: time, memory, response, cancel. The files are deleted after. */
 export async function benchBig(): Promise<readonly Figure[]> {
+  await mkdir(cacheFolder, { recursive: true });
   const { bavail, bsize } = await statfs(cacheFolder);
   if (bavail * bsize < 2 * POINTS * LAS_POINT_BYTES) throw new Error('There is too little room on the disk.');
   const figures: Figure[] = [];

@@ -93,6 +93,7 @@ async function cached(name: string, write: (path: string) => Promise<void>): Pro
 
 const WRITERS = {
   ply: { write: writePly, suffix: '.ply' },
+  'ply-shuffled': { write: writeShuffledPly, suffix: '-shuffled.ply' },
   'ply-full': { write: writeFullPly, suffix: '-full.ply' },
   csv: { write: writeCsv, suffix: '.csv' },
   las: { write: writeLas, suffix: '.las' },
@@ -101,6 +102,25 @@ const WRITERS = {
 async function writePly(file: FileHandle, points: number): Promise<void> {
   await file.write(plyHeader(points, ['float x', 'float y', 'float z']));
   for (const part of homeCloud(points)) await file.write(new Uint8Array(new Float32Array(part).buffer));
+}
+
+/** Every point somewhere else than the one before, as no scanner writes it; held in memory whole. */
+async function writeShuffledPly(file: FileHandle, points: number): Promise<void> {
+  await file.write(plyHeader(points, ['float x', 'float y', 'float z']));
+  const xyz = new Float32Array(3 * points);
+  let at = 0;
+  for (const part of homeCloud(points)) {
+    xyz.set(part, at);
+    at += part.length;
+  }
+  const random = seededRandom(8, 'shuffle');
+  for (let i = points - 1; i > 0; i--) {
+    const j = Math.floor(random.next() * (i + 1));
+    const [own, other] = [xyz.slice(3 * i, 3 * i + 3), xyz.slice(3 * j, 3 * j + 3)];
+    xyz.set(other, 3 * i);
+    xyz.set(own, 3 * j);
+  }
+  await file.write(new Uint8Array(xyz.buffer));
 }
 
 async function writeFullPly(file: FileHandle, points: number): Promise<void> {

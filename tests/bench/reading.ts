@@ -1,9 +1,9 @@
 import { execFile } from 'node:child_process';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { promisify } from 'node:util';
-import { build } from 'vite';
 import { type CloudFile, cacheFolder, cloudFile, foreignFile } from './clouds.ts';
 import type { ReadRun } from './read-child.ts';
+import { bundleChild } from './read-child-bundle.ts';
 import type { Figure } from './table.ts';
 
 const POINTS = 2_000_000;
@@ -32,6 +32,12 @@ const readings: readonly Reading[] = [
     note: '12 bytes a point',
     file: () => cloudFile(POINTS, 'ply'),
     peers: ['three PLYLoader', 'loaders.gl'],
+  },
+  {
+    name: 'PLY, bare float, shuffled',
+    note: 'the worst case: no point lies near the one before',
+    file: () => cloudFile(POINTS, 'ply-shuffled'),
+    peers: [],
   },
   {
     name: 'CSV',
@@ -91,24 +97,4 @@ async function runChild(child: string, method: string, path: string): Promise<Re
     );
     return null;
   }
-}
-
-/** As the command is built: Vite resolves the WebAssembly that decodes LAZ. */
-async function bundleChild(): Promise<string> {
-  const outDir = join(cacheFolder, 'child');
-  await build({
-    configFile: false,
-    publicDir: false,
-    logLevel: 'error',
-    ssr: { noExternal: true, external: ['three'] },
-    build: {
-      ssr: resolve(import.meta.dirname, 'read-child.ts'),
-      outDir,
-      emptyOutDir: true,
-      target: 'node20',
-      minify: false,
-      rolldownOptions: { output: { entryFileNames: 'read-child.js', codeSplitting: false } },
-    },
-  });
-  return join(outDir, 'read-child.js');
 }

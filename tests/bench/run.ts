@@ -1,10 +1,11 @@
 /**
- * `npm run bench [-- NAME…]`: every stage by size, readers in MB/s, the paper's slice, outlines beside their peers, memory
- * and the page; with the name `big` also 100 M points. As tables and as JSON in .cache/bench/results.json. Machines are noisy: compare figures of one run.
+ * `npm run bench [-- NAME…]`: every stage by size, readers in MB/s, the paper's slice, outlines beside their peers, memory,
+ * the page and cancelling; with the name `big` also 100 M points. As tables and as JSON in .cache/bench/results.json. Machines are noisy: compare figures of one run.
  */
 import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { benchBig } from './big.ts';
+import { benchCancel } from './cancel.ts';
 import { cacheFolder } from './clouds.ts';
 import { benchHull } from './hull.ts';
 import { benchMemory } from './memory.ts';
@@ -21,6 +22,7 @@ const benches: Record<string, () => Promise<readonly Figure[]>> = {
   hull: benchHull,
   memory: benchMemory,
   page: benchPage,
+  cancel: benchCancel,
 };
 
 /** Minutes long and gigabytes large: only by name. */

@@ -204,6 +204,17 @@ test('a changed parameter runs again from its stage only, and can be undone', as
   await expect.poll(drawing).toBe(changed);
 });
 
+test('what is being typed stays while the page draws itself anew', async ({ page }) => {
+  await openPlan(page);
+  await page.locator('[data-stage=plan] > summary').click();
+  const thickness = page.getByRole('textbox', { name: 'Wall thickness' });
+  await thickness.fill('50 cm');
+  await page.setViewportSize({ width: 1300, height: 850 });
+  const frame = () => page.evaluate(() => new Promise(requestAnimationFrame));
+  for (let i = 0; i < 3; i++) await frame();
+  await expect(thickness).toHaveValue('50 cm');
+});
+
 test('the number of structures brings a choice of operation for each', async ({ page }) => {
   await openPlan(page);
   await page.locator('[data-stage=secondary] > summary').click();

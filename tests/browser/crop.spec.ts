@@ -113,6 +113,67 @@ test('the box is set by numbers alone, heights too', async ({ page }) => {
   expect(await cropOf(page)).toEqual([0, 0, 3, 5, 0, 2]);
 });
 
+test('on a sheet that turns the plan square the box lies along the sheet, and a number turns it', async ({
+  page,
+}) => {
+  await page.goto('./?src=');
+  const angle = (20 * Math.PI) / 180;
+  const turned = roomCsv(0.04)
+    .split('\n')
+    .map((line, i) => {
+      const [x, y, z] = line.split(',').map(Number);
+      const at = [x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle)];
+      return i === 0 ? line : [...at.map((value) => value.toFixed(4)), z].join(',');
+    });
+  await dropFile(page, 'turned.csv', turned.join('\n'));
+  await expectReady(page);
+  await page.keyboard.press('c');
+  // The left arm of the L, as it lies on the sheet.
+  const inPlan = (x: number, y: number) =>
+    onSheet(page, x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle));
+  await drag(page, await inPlan(-0.4, -0.4), await inPlan(3.2, 5.4));
+  // 15 m² and a strip of the other arm.
+  await expect.poll(() => areaOf(page)).toBeLessThan(16.5);
+  const crop = await page.evaluate(
+    () => (document.querySelector('floor-plan') as FloorPlanElement).options.crop,
+  );
+  expect(Math.abs(Number(crop!.split('@')[1]) - 20)).toBeLessThan(0.5);
+  const words = page.getByTestId('crop-words');
+  await expect(words).toHaveText(/^3\.[56]\d? m × 5\.[789]\d? m$/);
+  const heading = page.getByRole('spinbutton', { name: 'Turned by, degrees' });
+  await heading.fill('200');
+  await heading.press('Enter');
+  await expect(words).toHaveText('A box turns by 180° at most.');
+  await heading.fill('0');
+  await heading.press('Enter');
+  await expect
+    .poll(() => page.evaluate(() => (document.querySelector('floor-plan') as FloorPlanElement).options.crop))
+    .toBe(crop!.split('@')[0]);
+});
+
+test('another axis up takes box and doors away and says so; undo brings them back', async ({ page }) => {
+  await openRoom(page);
+  const options = () =>
+    page.evaluate(() => (document.querySelector('floor-plan') as FloorPlanElement).options);
+  const placed = { crop: '-0.5,-0.5,6.5,6', doors: '3,0,0.9' };
+  await page.evaluate((given) => {
+    (document.querySelector('floor-plan') as FloorPlanElement).options = given;
+  }, placed);
+  await expect(page.getByTestId('status')).toHaveText('Plan ready');
+  const axes = page.getByRole('group', { name: 'Axes of the scan' });
+  await axes.getByRole('button', { name: 'Take -z for up' }).press('Enter');
+  await expect.poll(options).toEqual({ up: '-z', crop: '-0.5,-6,6.5,0.5', doors: '3,0,0.9' });
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(options).toEqual(placed);
+  await axes.getByRole('button', { name: 'Take y for up' }).press('Enter');
+  await expect.poll(options).toEqual({ up: 'y', crop: 'none', doors: 'none' });
+  const notice = page.locator('[data-code="frame/crop-dropped"]');
+  await expect(notice).toContainText('The crop box was taken away');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(options).toEqual(placed);
+  await expect(notice).toHaveCount(0);
+});
+
 test('a box beside the scan says so, and the last plan stays', async ({ page }) => {
   await openRoom(page);
   await page.locator('[data-stage=crop] > summary').click();

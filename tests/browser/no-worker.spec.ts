@@ -35,3 +35,17 @@ for (const [how, refuse] of Object.entries(refusals)) {
     expect(page.workers()).toHaveLength(0);
   });
 }
+
+test('where the code for the page itself does not come either, that is told and not waited for', async ({
+  page,
+  misdeeds,
+}) => {
+  await page.addInitScript(refusals['throws at once']);
+  await page.route(/\/serve-[^/]+\.js$/, (route) => route.abort());
+  await page.goto('./');
+  await expect(page.getByTestId('error')).toContainText('makes plans could not be fetched');
+  await expect(page.getByTestId('status')).toHaveText('That did not work');
+  // The browser's own word on the request.
+  await expect.poll(() => misdeeds.errors).toEqual(['Failed to load resource: net::ERR_FAILED']);
+  misdeeds.errors.length = 0;
+});

@@ -124,6 +124,12 @@ test('the axes follow the camera: from above x points right and y up the screen'
   expect([y.e, y.f].map(Math.round).map(Math.abs)).toEqual([0, 38]);
   expect(y.f).toBeLessThan(0);
   expect(Math.hypot(z.e, z.f)).toBeLessThan(1);
+  const caption = page.locator('.axis-caption');
+  await expect(caption).toHaveText('z is up');
+  await page.locator('.axis-end[data-axis="-x"]').hover();
+  await expect(caption).toHaveText('Take −x for up');
+  await page.mouse.move(0, 0);
+  await expect(caption).toHaveText('z is up');
 });
 
 test('a page without controls shows no axes to press', async ({ page }) => {

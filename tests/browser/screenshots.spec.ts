@@ -1,8 +1,17 @@
+import type { Page } from '@playwright/test';
 import { expect, expectReady, openPlan, test } from './plan-page.ts';
 
 const FOLDER = new URL('../../.cache/screenshots/', import.meta.url).pathname;
 
-/** Pictures of every state, to look at; that the page renders them without an error is all that is asserted. */
+/** From what was waited for to the end of every transition, ms. */
+const SETTLE = 300;
+
+/** Waits until the model has its canvas, which is made after the plan. */
+async function expectModel(page: Page): Promise<void> {
+  await expect(page.locator('.surface canvas')).toBeVisible();
+}
+
+/** Pictures of every state, to look at; that the page gets there without an error is all that is asserted. */
 for (const colorScheme of ['light', 'dark'] as const) {
   for (const [size, viewport] of [
     ['wide', { width: 1440, height: 900 }],
@@ -11,26 +20,27 @@ for (const colorScheme of ['light', 'dark'] as const) {
     test(`pictures: ${size}, ${colorScheme}`, async ({ page }) => {
       await page.emulateMedia({ colorScheme });
       await page.setViewportSize(viewport);
-      const take = (state: string) =>
-        page.screenshot({ path: `${FOLDER}${state}-${size}-${colorScheme}.png` });
+      const take = async (state: string) => {
+        await page.waitForTimeout(SETTLE);
+        await page.screenshot({ path: `${FOLDER}${state}-${size}-${colorScheme}.png` });
+      };
       await page.goto('./?src=');
       await take('empty');
       await openPlan(page);
-      await page.waitForTimeout(1500);
+      if (size === 'wide') await expectModel(page);
       await take('plan');
       await page.getByRole('button', { name: 'Step by step' }).click();
-      await page.waitForTimeout(1500);
+      await expect(page.getByTestId('step-picture').locator('.paper > svg')).toBeVisible();
       await take('step-by-step');
       await page.getByTestId('compare').click();
-      await page.waitForTimeout(1500);
+      await expect(page.getByTestId('compare-iou')).toContainText('%');
       await take('comparison');
       await page.getByRole('button', { name: 'Drawing', exact: true }).click();
       if (size === 'phone') {
         await page.getByRole('button', { name: 'Model', exact: true }).first().click();
-        await page.waitForTimeout(2500);
+        await expectModel(page);
         await take('model');
         await page.getByRole('button', { name: 'Steps' }).click();
-        await page.waitForTimeout(800);
         await take('steps');
         await page.getByRole('button', { name: 'Plan', exact: true }).click();
         await page.getByRole('button', { name: 'Steps' }).click();
@@ -45,7 +55,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       for (const sample of ['office', 'hallway']) {
         await page.goto(`./?src=samples/${sample}.${sample === 'office' ? 'ply' : 'csv'}`);
         await expectReady(page);
-        await page.waitForTimeout(1500);
+        if (size === 'wide') await expectModel(page);
         await take(sample);
       }
     });

@@ -123,6 +123,9 @@ const BARE = { ...glbModel, scene: undefined, scenes: undefined };
 
 export const GLB_SEEDS: readonly Seed[] = [
   foreignGlb('foreign/flat.glb'),
+  foreignGlb('foreign/flat-meshopt.glb'),
+  foreignGlb('foreign/flat-filtered.glb'),
+  foreignGlb('foreign/flat-draco.glb'),
   glbSeed('model.glb', glbBytes(glbModel, data.data), glbModel, data.data),
   glbSeed('bare.glb', glbBytes(BARE, data.data), BARE, data.data),
   gltfSeed('model.gltf', textModel),

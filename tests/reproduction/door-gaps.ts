@@ -53,7 +53,8 @@ export interface GapCase {
   /** Where the wall is missing: its two ends, and the corners between them. */
   readonly missing: Path;
   readonly slice: Slice;
-  readonly whole: Slice;
+  /** Outline of the same scan without the gap. */
+  outlineOfWhole(openingLength: OpeningLength): Ring;
 }
 
 /** Every room and place with a gap of one width; the exact place, turn, density and noise by the seed. */
@@ -71,12 +72,23 @@ export function gapCases(width: number, seed: number): GapCase[] {
       const total = cornersAlong(shape).at(-1)!;
       const gaps = [-total, 0, total].map((by) => ({ wall: 0, from: from + by, to: from + by + width }));
       const slice = asSlice(scanWalls({ ...scan, gaps }));
-      const whole = asSlice(scanWalls(scan));
+      const outlineOfWhole = outlinesOf(asSlice(scanWalls(scan)));
       const missing = stretchOf(path, from, from + width);
-      cases.push({ room, place, width, noise, perMetre, path, truth: ringOf(path), missing, slice, whole });
+      const truth = ringOf(path);
+      cases.push({ room, place, width, noise, perMetre, path, truth, missing, slice, outlineOfWhole });
     }
   }
   return cases;
+}
+
+/** Outlines of a slice, each made once. */
+function outlinesOf(slice: Slice): GapCase['outlineOfWhole'] {
+  const outlines = new Map<OpeningLength, Ring>();
+  return (openingLength) => {
+    const outline = outlines.get(openingLength) ?? outlineOf(slice, { openingLength });
+    outlines.set(openingLength, outline);
+    return outline;
+  };
 }
 
 /** Metres along a room to where a gap begins; null when the room has no such corner. */
@@ -122,13 +134,13 @@ function stretchOf(path: Path, from: number, to: number): Path {
  */
 export function areaLostToGap(
   found: Ring,
-  { path, truth, whole }: GapCase,
+  { path, truth, outlineOfWhole }: GapCase,
   openingLength: OpeningLength,
 ): number {
   const area = areaOf(truth);
-  const same = areaOf(outlineOf(whole, { openingLength }));
+  const same = areaOf(outlineOfWhole(openingLength));
   const closable = openingLength === 'auto' ? 0 : closableArea(path, openingLength);
-  const most = Math.max(same, areaOf(outlineOf(whole)) + closable, area + closable);
+  const most = Math.max(same, areaOf(outlineOfWhole('auto')) + closable, area + closable);
   return Math.max(0, Math.min(area, same) - areaOf(found), areaOf(found) - most) / area;
 }
 
@@ -177,10 +189,10 @@ function trials(): readonly Trial[] {
 }
 
 function tryOut(gapCase: GapCase, openingLength: OpeningLength): Trial {
-  const { room, width, truth, slice, whole } = gapCase;
+  const { room, width, truth, slice, outlineOfWhole } = gapCase;
   const costWith = (given: Partial<Options>) =>
     areaLostToGap(outlineOf(slice, { openingLength, ...given }), gapCase, openingLength);
-  const own = areaError(outlineOf(whole, { openingLength }), truth);
+  const own = areaError(outlineOfWhole(openingLength), truth);
   return { room, width, openingLength, cost: costWith({}), costWithout: costWith({ bridgeGap: 0 }), own };
 }
 

@@ -1,9 +1,10 @@
+import { countOf } from '../../src/core/count-words.ts';
 import { boundsOf, ringsOf, vertexCount } from '../../src/core/geometry/rings.ts';
 import type { StageResults } from '../../src/core/stage-results.ts';
 import type { Polygon } from '../../src/core/types.ts';
 import { dots, path } from '../../src/write/pictures/marks.ts';
 import { outlineMarks } from '../../src/write/pictures/outline-pictures.ts';
-import { countOf, pageOf } from '../../src/write/pictures/page.ts';
+import { pageOf } from '../../src/write/pictures/page.ts';
 import { ACCENT, INK, OKABE_ITO, PALE } from '../../src/write/pictures/palette.ts';
 import { topView } from '../../src/write/pictures/top-view.ts';
 

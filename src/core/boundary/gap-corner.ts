@@ -132,9 +132,7 @@ interface FittedLine {
 function fitLine(ring: Ring, vertices: readonly number[]): FittedLine | null {
   const [x0, y0] = [ring[2 * vertices[0]], ring[2 * vertices[0] + 1]];
   const sums = runningMoments(vertices.map((v) => [ring[2 * v] - x0, ring[2 * v + 1] - y0]));
-  const [count, sumX, sumY, sumXX, sumXY, sumYY] = sums[vertices.length];
-  const [meanX, meanY] = [sumX / count, sumY / count];
-  const [xx, xy, yy] = [sumXX - sumX * meanX, sumXY - sumX * meanY, sumYY - sumY * meanY];
+  const { meanX, meanY, xx, xy, yy } = spread(sums[0], sums[vertices.length]);
   const angle = Math.atan2(2 * xy, xx - yy) / 2;
   const [ux, uy] = [Math.cos(angle), Math.sin(angle)];
   const isStraight = vertices.every(
@@ -170,11 +168,17 @@ function runningMoments(points: readonly (readonly [x: number, y: number])[]): r
   return sums;
 }
 
-/** Sum of the squared distances from their line of the points between two running moments. */
-function squaredResidual(from: Moments, to: Moments): number {
+/** Mean and second moments about it of the points between two running moments. */
+function spread(from: Moments, to: Moments) {
   const [count, sumX, sumY, sumXX, sumXY, sumYY] = to.map((sum, k) => sum - from[k]);
   const [meanX, meanY] = [sumX / count, sumY / count];
   const [xx, xy, yy] = [sumXX - sumX * meanX, sumXY - sumX * meanY, sumYY - sumY * meanY];
+  return { meanX, meanY, xx, xy, yy };
+}
+
+/** Sum of the squared distances from their line of the points between two running moments. */
+function squaredResidual(from: Moments, to: Moments): number {
+  const { xx, xy, yy } = spread(from, to);
   return Math.max(0, (xx + yy - Math.hypot(xx - yy, 2 * xy)) / 2);
 }
 

@@ -1,6 +1,6 @@
+import { DEVIATION_BY_MEDIAN, medianOf } from '../robust-scale.ts';
 import type { Vec3 } from '../types.ts';
 import { alignment, type HeightPlane, heightsAlong } from './height-planes.ts';
-import { DEVIATION_BY_MEDIAN, medianOf } from './robust-scale.ts';
 import { multiply, type Rotation, rotate, rotationToZ } from './rotation.ts';
 import type { SurfacePatches } from './surface-patches.ts';
 

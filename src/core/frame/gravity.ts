@@ -1,6 +1,8 @@
 import type { Axis, Vec3 } from '../types.ts';
-import { furnitureSide, type RoomGap } from './furniture-side.ts';
+import { doorwaySide } from './doorway-side.ts';
+import { furnitureSide } from './furniture-side.ts';
 import { alignment, findHeightPlanes, type HeightPlanes } from './height-planes.ts';
+import { type RoomGap, roomColumns } from './room-columns.ts';
 import { axisVector, uprightRotation } from './rotation.ts';
 import type { SurfacePatches } from './surface-patches.ts';
 
@@ -11,7 +13,7 @@ const AXES = ['z', 'y', 'x'] as const;
  * anything x up.
  */
 const TRUST = { z: 1, y: 0.75, x: 0.5 } as const;
-/** An axis along which furniture clearly stands on the lower side is this many times as likely; few scans hang it from above. */
+/** An axis along which furniture or doorways clearly show a floor is this many times as likely. */
 const FURNISHED = 2;
 /** A runner-up this close makes the choice doubtful. */
 const DOUBTFUL = 0.9;
@@ -29,16 +31,16 @@ export interface Gravity {
   readonly normal: Vec3;
   readonly planes: HeightPlanes;
   readonly reason: string;
-  readonly isDoubtful: boolean;
+  /** What may be wrong: another axis, or the other end of this one. */
+  readonly doubt: 'axis' | 'end' | null;
 }
 
 /**
- * Finds the gravity axis: the one whose two largest opposed planes cover most area, seen by patches of equal
- * size.
+ * Finds the gravity axis: the one whose two largest opposed planes cover most area, seen by patches of equal size.
  *
- * The paper turns clouds by hand ([Stojanovic19] §3); ours. Floor and ceiling differ by the furniture: more
- * stands on the floor than hangs from the ceiling; where that is not clear the axis points along itself, not
- * against.
+ * The paper turns clouds by hand ([Stojanovic19] §3); ours. Floor and ceiling differ by the furniture, of which more
+ * stands on the floor than hangs from the ceiling, and by the doorways, which reach down to the floor. Where neither
+ * tells, or they disagree, the axis points along itself, not against, and the end is doubtful.
  *
  * @param positions the points the patches were fitted to
  * @param given the axis a person named; nothing is judged then
@@ -52,27 +54,55 @@ export function findGravity(
 ): Gravity {
   if (given !== 'auto') {
     const { normal, planes } = lookAlong(patches, axisVector(given));
-    return { up: given, normal, planes, reason: `${given} is up because it was given.`, isDoubtful: false };
+    return { up: given, normal, planes, reason: `${given} is up because it was given.`, doubt: null };
   }
   const [best, second] = rankAxes(positions, patches, stated);
   if (best.score === 0) {
     const reason = 'No floor or ceiling was found; z is up by convention.';
-    return { up: 'z', normal: axisVector('z'), planes: best.planes, reason, isDoubtful: true };
+    return { up: 'z', normal: axisVector('z'), planes: best.planes, reason, doubt: 'axis' };
   }
-  const isUpsideDown = best.axis !== stated && best.furniture < 0;
+  const isStated = best.axis === stated;
+  const isUpsideDown = !isStated && floorEnd(best) < 0;
   const up: Axis = isUpsideDown ? `-${best.axis}` : best.axis;
   const { normal, planes } = isUpsideDown ? lookAlong(patches, axisVector(up)) : best;
-  const side = isUpsideDown ? '; the furniture side shows that it points down in the file' : '';
+  const isAxisDoubtful = second.score > DOUBTFUL * best.score;
   return {
     up,
     normal,
     planes,
-    reason: `${up} is up: the largest opposed planes lie across ${best.axis}${side}.`,
-    isDoubtful: second.score > DOUBTFUL * best.score,
+    reason: `${up} is up: the largest opposed planes lie across ${best.axis}${isStated ? '' : sayEnd(best)}.`,
+    doubt: isAxisDoubtful ? 'axis' : !isStated && floorEnd(best) === 0 ? 'end' : null,
   };
 }
 
-/** The axes, likeliest first; furniture is looked for along those that come near. */
+/** What tells floor from ceiling along an axis: 1 where the lower plane is the floor, −1 the upper one, 0 silent. */
+interface EndSigns {
+  readonly furniture: -1 | 0 | 1;
+  readonly doorways: -1 | 0 | 1;
+}
+
+const SILENT: EndSigns = { furniture: 0, doorways: 0 };
+
+/** Above zero where the axis points up, below where it points down; 0 where the signs tell nothing or disagree. */
+function floorEnd({ furniture, doorways }: EndSigns): number {
+  return furniture + doorways;
+}
+
+function sayEnd({ furniture, doorways }: EndSigns): string {
+  if (furniture + doorways > 0) return '';
+  if (furniture === 0 && doorways === 0)
+    return '; neither furniture nor doorways show which of them is the floor';
+  if (furniture + doorways === 0) return '; furniture and doorways disagree on which of them is the floor';
+  const sign =
+    doorways === 0
+      ? 'the furniture side shows'
+      : furniture === 0
+        ? 'doorways show'
+        : 'furniture and doorways show';
+  return `; ${sign} that it points down in the file`;
+}
+
+/** The axes, likeliest first; the floor is told from the ceiling along those that come near. */
 function rankAxes(positions: Float32Array, patches: SurfacePatches, stated?: Axis) {
   const seen = AXES.map((axis) => {
     const along = lookAlong(patches, axisVector(axis));
@@ -81,10 +111,13 @@ function rankAxes(positions: Float32Array, patches: SurfacePatches, stated?: Axi
   const most = Math.max(...seen.map(({ score }) => score));
   return seen
     .map((along) => {
-      if (along.score * FURNISHED < most || most === 0) return { ...along, furniture: 0 };
+      if (along.score * FURNISHED < most || most === 0) return { ...along, ...SILENT };
       const rotation = { upright: uprightRotation(along.axis), up: along.normal };
-      const furniture = furnitureSide(positions, patches, rotation, roomGaps(along.planes));
-      return { ...along, furniture, score: furniture > 0 ? FURNISHED * along.score : along.score };
+      const columns = roomColumns(positions, patches, rotation);
+      const rooms = roomGaps(along.planes);
+      const signs = { furniture: furnitureSide(columns, rooms), doorways: doorwaySide(columns, rooms) };
+      const isFurnished = floorEnd(signs) > 0;
+      return { ...along, ...signs, score: isFurnished ? FURNISHED * along.score : along.score };
     })
     .sort((a, b) => b.score - a.score);
 }

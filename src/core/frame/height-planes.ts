@@ -1,6 +1,6 @@
 import { CellTable } from '../cell-table.ts';
+import { medianOf } from '../robust-scale.ts';
 import type { Vec3 } from '../types.ts';
-import { medianOf } from './robust-scale.ts';
 import type { SurfacePatches } from './surface-patches.ts';
 
 /** Height bins a patch edge: a plane seen by noisy patches fits into three neighbouring bins. */

@@ -1,9 +1,9 @@
 import type { Options } from '../params.ts';
+import { boundsOf, largestExtent, trimmedBounds } from '../robust-scale.ts';
 import { sayScale } from '../source-coordinates.ts';
 import type { FrameUnit, Scan, Unit } from '../types.ts';
 import { findGravity } from './gravity.ts';
 import type { HeightPlane } from './height-planes.ts';
-import { boundsOf, largestExtent, trimmedBounds } from './robust-scale.ts';
 import { surfacePatches } from './surface-patches.ts';
 
 const METRES: Readonly<Record<Exclude<Unit, 'px'>, number>> = {
@@ -18,7 +18,7 @@ const CANDIDATES = ['m', 'mm', 'cm', 'ft'] as const;
 /** Distance from a floor to its ceiling, m: a cellar to a hall. */
 const STOREY_HEIGHT = { least: 2, most: 6 };
 /** Longest side of a scanned interior, m: a closet to an airport. */
-const EXTENT = { least: 1, most: 1000 };
+export const EXTENT = { least: 1, most: 1000 };
 /** Longest side expected where no storey height tells more, m: a room to a hall. */
 const USUAL_EXTENT = { least: 2, most: 200 };
 /** Longest side of a canvas that a slice is drawn on, px: a 4K screen. */

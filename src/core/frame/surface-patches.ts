@@ -1,5 +1,5 @@
 import { CellTable } from '../cell-table.ts';
-import { largestExtent, medianOf, trimmedBounds } from './robust-scale.ts';
+import { largestExtent, medianOf, trimmedBounds } from '../robust-scale.ts';
 import { type SmallestEigen, smallestEigen } from './symmetric-eigen.ts';
 
 /**

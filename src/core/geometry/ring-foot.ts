@@ -1,5 +1,10 @@
 import type { Ring } from '../types.ts';
 
+/** Of a corner of 10°, by the distance that walls stand from the ring: sharper ones are looked for no further. */
+const LONGEST_MITRE = 1 / Math.tan((5 * Math.PI) / 180);
+/** Cosine of 30°: a sharper turn is a corner. */
+const STRAIGHT_ON = Math.cos(Math.PI / 6);
+
 type Direction = readonly [x: number, y: number];
 
 /** The place on a ring nearest to a point. */
@@ -98,11 +103,6 @@ export function straightReach(
   }
   return Math.min(ask.limit, reached);
 }
-
-/** Of a corner of 10°, by the distance that walls stand from the ring: sharper ones are looked for no further. */
-const LONGEST_MITRE = 1 / Math.tan((5 * Math.PI) / 180);
-/** Cosine of 30°: a sharper turn is a corner. */
-const STRAIGHT_ON = Math.cos(Math.PI / 6);
 
 /** The place so far along the ring from a foot; at most once around. */
 function pointAlong(ring: Ring, foot: Foot, way: 1 | -1, along: number): Direction {

@@ -50,13 +50,19 @@ export function reverseRing(ring: Ring): Ring {
   return reversed;
 }
 
+/** Number of the leftmost (lowest of equals) vertex. */
+export function leastVertex(ring: Ring): number {
+  let least = 0;
+  for (let i = 2; i < ring.length; i += 2) {
+    if (ring[i] < ring[least] || (ring[i] === ring[least] && ring[i + 1] < ring[least + 1])) least = i;
+  }
+  return least / 2;
+}
+
 /** Whether a simple ring turns counter-clockwise, exactly: its turn at the leftmost (lowest of equals) vertex. */
 export function isCounterClockwise(ring: Ring): boolean {
   const n = ring.length;
-  let least = 0;
-  for (let i = 2; i < n; i += 2) {
-    if (ring[i] < ring[least] || (ring[i] === ring[least] && ring[i + 1] < ring[least + 1])) least = i;
-  }
+  const least = 2 * leastVertex(ring);
   const before = (least + n - 2) % n;
   const after = (least + 2) % n;
   return (
@@ -90,6 +96,17 @@ export function boundsOf(xy: ArrayLike<number>): Bounds {
     if (y > maxY) maxY = y;
   }
   return { minX, minY, maxX, maxY };
+}
+
+/** The box around several runs of x, y pairs. */
+export function boundsOfAll(parts: readonly ArrayLike<number>[]): Bounds {
+  const boxes = parts.map(boundsOf);
+  return {
+    minX: Math.min(...boxes.map(({ minX }) => minX)),
+    minY: Math.min(...boxes.map(({ minY }) => minY)),
+    maxX: Math.max(...boxes.map(({ maxX }) => maxX)),
+    maxY: Math.max(...boxes.map(({ maxY }) => maxY)),
+  };
 }
 
 export function perimeter(ring: Ring): number {

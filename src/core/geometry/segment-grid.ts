@@ -5,6 +5,12 @@ const PADDING = 1e-6;
 /** Room for so many entries at first. */
 const ENTRIES = 1024;
 
+/** A cell edge that makes as many cells as segments: a long one then passes about √n of them. */
+export function cellFor({ minX, minY, maxX, maxY }: Bounds, segments: number): number {
+  const [width, height] = [maxX - minX, maxY - minY];
+  return Math.max(Math.sqrt((width * height) / segments), Math.max(width, height) / segments) || 1;
+}
+
 /**
  * A uniform grid over segments between numbered points, for questions "what lies along this segment?".
  *

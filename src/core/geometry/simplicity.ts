@@ -1,7 +1,7 @@
 import type { Ring } from '../types.ts';
 import { orientation } from './predicates.ts';
-import { boundsOf } from './rings.ts';
-import { SegmentGrid } from './segment-grid.ts';
+import { type Bounds, boundsOf } from './rings.ts';
+import { cellFor, SegmentGrid } from './segment-grid.ts';
 import { segmentsTouch } from './segments.ts';
 
 /** An edge by its ring and its first vertex. */
@@ -28,7 +28,7 @@ export function conflictingEdges(rings: readonly Ring[]): RingEdge[] {
   const n = x.length;
   const isBad = new Uint8Array(n);
   if (n === 0) return [];
-  const grid = new SegmentGrid(x, y, edges.bounds, edges.cell);
+  const grid = new SegmentGrid(x, y, edges.bounds, cellFor(edges.bounds, n));
   for (let e = 0; e < n; e++) {
     const isEmpty = x[e] === x[next[e]] && y[e] === y[next[e]];
     if (isEmpty || rings[ringOf[e]].length < 6) isBad[e] = 1;
@@ -55,8 +55,7 @@ interface Edges {
   readonly ringOf: Int32Array;
   /** First edge of each ring. */
   readonly firstOf: Int32Array;
-  readonly bounds: ReturnType<typeof boundsOf>;
-  readonly cell: number;
+  readonly bounds: Bounds;
 }
 
 function edgesOf(rings: readonly Ring[]): Edges {
@@ -83,11 +82,7 @@ function edgesOf(rings: readonly Ring[]): Edges {
     at += size;
   });
   const bounds = boundsOf(xy);
-  // As many cells as edges: a long edge then passes about √n of them.
-  const area = (bounds.maxX - bounds.minX) * (bounds.maxY - bounds.minY);
-  const longest = Math.max(bounds.maxX - bounds.minX, bounds.maxY - bounds.minY);
-  const cell = Math.max(Math.sqrt(area / n), longest / n) || 1;
-  return { x, y, next, previous, ringOf, firstOf, bounds, cell };
+  return { x, y, next, previous, ringOf, firstOf, bounds };
 }
 
 /** Whether edges e and f (from e to next[e], f to next[f]) meet in a way simple rings do not. */

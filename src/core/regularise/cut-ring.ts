@@ -1,3 +1,4 @@
+import { leastVertex } from '../geometry/rings.ts';
 import type { Ring } from '../types.ts';
 
 /**
@@ -10,8 +11,7 @@ import type { Ring } from '../types.ts';
  * @returns vertex numbers, the first ≠ the second for rings of two distinct vertices or more
  */
 export function cutVertices(ring: Ring): readonly [first: number, second: number] {
-  let first = 0;
-  for (let v = 1; v < ring.length / 2; v++) if (isBefore(ring, v, first)) first = v;
+  let first = leastVertex(ring);
   let second = farthestFrom(ring, first);
   let reach = 0;
   while (squaredDistance(ring, first, second) > reach) {

@@ -1,5 +1,6 @@
 import { buildPointGrid } from '../geometry/point-grid.ts';
 import { distinctPoints } from '../geometry/point-order.ts';
+import { leastVertex } from '../geometry/rings.ts';
 import { squaredDistanceToSegment } from '../geometry/segments.ts';
 import type { Ring, Slice } from '../types.ts';
 import { chainBetween, stripAlong } from './chain-strip.ts';
@@ -215,10 +216,6 @@ function distance(a: Point, b: Point): number {
 /** All vertices, from the first by x, then y: what is found must not depend on where the ring starts. */
 function verticesFromFirst(ring: Ring): number[] {
   const n = ring.length / 2;
-  let first = 0;
-  for (let v = 1; v < n; v++) {
-    const [dx, dy] = [ring[2 * v] - ring[2 * first], ring[2 * v + 1] - ring[2 * first + 1]];
-    if (dx < 0 || (dx === 0 && dy < 0)) first = v;
-  }
+  const first = leastVertex(ring);
   return Array.from({ length: n }, (_, k) => (first + k) % n);
 }

@@ -1,4 +1,5 @@
 import type { StrokeTest } from '../context.ts';
+import { boundsOfAll } from '../geometry/rings.ts';
 import type { Ring } from '../types.ts';
 
 /** Points nearer than this to a stroke's edge are decided by the canvas, px. */
@@ -28,9 +29,9 @@ export function pointsInStroke(
   ring: Ring,
   { width, pixelsPerMetre, strokeTest }: Stroke,
 ): Uint8Array {
-  const [x0, y0] = lowestOf(xy, ring);
+  const { minX, minY } = boundsOfAll([xy, ring]);
   const toCanvas = (value: number, at: number) =>
-    (value - (at % 2 === 0 ? x0 : y0)) * pixelsPerMetre + MARGIN;
+    (value - (at % 2 === 0 ? minX : minY)) * pixelsPerMetre + MARGIN;
   const points = xy.map(toCanvas);
   const corners = ring.map(toCanvas);
   const lineWidth = width * pixelsPerMetre;
@@ -68,15 +69,4 @@ function markClear(
     else if (depth >= -UNCERTAIN) open.push(k);
   }
   return open;
-}
-
-function lowestOf(xy: Float64Array, ring: Ring): [number, number] {
-  let [x, y] = [Infinity, Infinity];
-  for (const values of [xy, ring]) {
-    for (let i = 0; i < values.length; i += 2) {
-      x = Math.min(x, values[i]);
-      y = Math.min(y, values[i + 1]);
-    }
-  }
-  return [x, y];
 }

@@ -3,6 +3,7 @@ import type { StageContext } from '../context.ts';
 import type { Options } from '../params.ts';
 import { restoreCorners } from '../regularise/restore-corners.ts';
 import { simplifyRing } from '../regularise/simplify-ring.ts';
+import { DEVIATION_BY_MEDIAN } from '../robust-scale.ts';
 import type { Ring, Slice } from '../types.ts';
 import { evenSample } from './even-sample.ts';
 import { RingEdges } from './ring-edges.ts';
@@ -17,8 +18,6 @@ const LEAST_NOISE_SPACINGS = 0.03;
 const BAND_ROUNDS = 10;
 /** Points that tell the noise at most: more change it by less than a tenth. */
 const SAMPLE = 4_000;
-/** Standard deviation by median deviation of a normal distribution. */
-const DEVIATION_BY_MEDIAN = 1.4826;
 
 /** The faces of the walls around a slice. */
 export interface WallFaces {

@@ -1,4 +1,4 @@
-import type { CropBox } from '../../core/crop-box.ts';
+import { type CropBox, MOST_HEADING } from '../../core/crop-box.ts';
 import { iconButton } from '../chips.ts';
 import { icon } from '../icon.ts';
 import { make, setAttribute, setText } from '../make.ts';
@@ -37,6 +37,7 @@ export class CropBar {
   readonly #events: CropEvents;
   readonly #fields: Readonly<Record<Name, HTMLInputElement>>;
   readonly #heights: HTMLElement;
+  readonly #heading: HTMLInputElement;
   readonly #suffix = make('span', { class: 'unit' });
   readonly #words = make('p', { class: 'tool-words hint', testid: 'crop-words', 'aria-live': 'polite' });
   readonly #remove: HTMLButtonElement;
@@ -59,6 +60,22 @@ export class CropBar {
       ),
     );
     this.#heights = rows[2];
+    this.#heading = make('input', {
+      type: 'number',
+      step: 'any',
+      min: -MOST_HEADING,
+      max: MOST_HEADING,
+      placeholder: '0',
+      'aria-label': 'Turned by, degrees',
+      on: { change: () => this.#read() },
+    });
+    const turned = make(
+      'label',
+      { class: 'range' },
+      make('span', {}, 'Turned'),
+      this.#heading,
+      make('span', { class: 'unit' }, '°'),
+    );
     const remove = { click: () => events.onRemove() };
     this.#remove = make(
       'button',
@@ -70,6 +87,7 @@ export class CropBar {
       { class: 'tool-bar', role: 'group', 'aria-label': 'Crop', hidden: true },
       ...rows,
       this.#suffix,
+      turned,
       this.#remove,
       this.#words,
       iconButton('Leave cropping', icon('close'), () => events.onLeave()),
@@ -91,11 +109,15 @@ export class CropBar {
       field.value = given[name] === null ? '' : String(given[name]);
       field.removeAttribute('aria-invalid');
     }
+    if (this.#heading.matches(':focus')) return;
+    this.#heading.value = box?.heading ? String(box.heading) : '';
+    this.#heading.removeAttribute('aria-invalid');
   }
 
   /** What is wrong with a number under the hand is told until it is mended. */
   say(words: string): void {
-    const isWrong = FIELDS.some((name) => this.#fields[name].getAttribute('aria-invalid') === 'true');
+    const fields = [...Object.values(this.#fields), this.#heading];
+    const isWrong = fields.some((field) => field.getAttribute('aria-invalid') === 'true');
     if (!isWrong) setText(this.#words, words);
   }
 
@@ -124,7 +146,14 @@ export class CropBar {
       setText(this.#words, 'The first number must be less than the second.');
       return;
     }
+    const heading = this.#heading.value === '' ? 0 : this.#heading.valueAsNumber;
+    const isTurned = Math.abs(heading) <= MOST_HEADING;
+    setAttribute(this.#heading, 'aria-invalid', isTurned ? null : 'true');
+    if (!isTurned) {
+      setText(this.#words, `A box turns by ${MOST_HEADING}° at most.`);
+      return;
+    }
     const hasHeights = this.#fields.z0.value !== '' || this.#fields.z1.value !== '';
-    this.#events.onChange({ x0, y0, x1, y1, heights: hasHeights ? [z0, z1] : null });
+    this.#events.onChange({ x0, y0, x1, y1, heights: hasHeights ? [z0, z1] : null, heading });
   }
 }

@@ -9,7 +9,7 @@ export function cropField({ id, change }: FieldFacts, actions: Actions): Field {
   const box = make('input', {
     type: 'text',
     id,
-    placeholder: 'x0,y0,x1,y1 or x0,y0,x1,y1,z0,z1',
+    placeholder: 'x0,y0,x1,y1[,z0,z1][@heading]',
     spellcheck: 'false',
     'aria-describedby': `${id}-hint`,
     on: { change: () => read() },

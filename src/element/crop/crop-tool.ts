@@ -1,34 +1,36 @@
 import { type CropBox, formatCrop, parseCrop } from '../../core/crop-box.ts';
-import {
-  planPlace,
-  type SourceCoordinates,
-  sayUnit,
-  sourceCoordinates,
-} from '../../core/source-coordinates.ts';
+import { sayUnit } from '../../core/source-coordinates.ts';
 import { formatLength } from '../../view/measure.ts';
 import type { SheetCursor, SheetDrag, SheetPlace } from '../../view/sheet.ts';
 import type { SheetMark } from '../../view/sheet-marks.ts';
-import type { PlanView } from '../../worker/protocol.ts';
 import type { Actions, Model } from '../model.ts';
 import type { PlanTool } from '../plan-tool.ts';
 import { CropBar } from './crop-bar.ts';
-import { type Box, boxBetween, dragged, type Grip, gripAt, HANDLES, handleAt } from './grip.ts';
+import { boxBetween, dragged, type Grip, gripAt, HANDLES, handleAt } from './grip.ts';
+import {
+  cornersOf,
+  cropOf,
+  headingOf,
+  inTurnedAxes,
+  type TurnedBox,
+  turnedBox,
+  wholeOf,
+} from './turned-box.ts';
 
 /** A handle is taken from this many times the reach of a hand. */
 const TAKE = 2;
-/** A box is drawn to this, m: nobody sees a centimetre on a sheet … */
-const DRAWN = 0.01;
-/** … but in that of a small thing; a share of the box's shorter side. */
-const FINE = 0.01;
 
-/** Draws the box around what the plan is made from. It is applied when the hand lets go. */
+/**
+ * Draws the box around what the plan is made from, along the sheet, which the plan may be turned on. It is applied when
+ * the hand lets go.
+ */
 export class CropTool implements PlanTool {
   readonly bar: CropBar;
   readonly #actions: Actions;
   readonly #redraw: () => void;
   #model: Model | null = null;
   /** As it is dragged, plan metres. */
-  #drawn: Box | null = null;
+  #drawn: TurnedBox | null = null;
   #grip: Grip | null = null;
 
   constructor(actions: Actions, redraw: () => void) {
@@ -54,24 +56,28 @@ export class CropTool implements PlanTool {
   }
 
   get cursor(): SheetCursor {
-    return this.#grip === 'all' ? 'move' : this.#grip;
+    if (this.#grip === 'all') return 'move';
+    return this.#grip && inTurnedAxes(this.#grip, -(this.#box?.heading ?? 0));
   }
 
   hover(place: SheetPlace | null): void {
     const box = this.#box;
-    this.#grip = place && box && gripAt(box, place.at, TAKE * place.reach);
+    this.#grip = place && box && gripAt(box, inTurnedAxes(place.at, box.heading), TAKE * place.reach);
   }
 
   /** All is done by dragging. */
   press(): void {}
 
-  grab({ at, reach }: SheetPlace): SheetDrag | null {
+  grab({ at: pressed, reach, turn }: SheetPlace): SheetDrag | null {
     const before = this.#box;
+    const heading = before?.heading ?? headingOf(turn);
+    const at = inTurnedAxes(pressed, heading);
     const grip = before && gripAt(before, at, TAKE * reach);
     if (before && !grip) return null;
-    const follow = ({ at: to }: SheetPlace) => {
-      this.#drawn =
-        before && grip ? dragged(before, grip, [to[0] - at[0], to[1] - at[1]]) : boxBetween(at, to);
+    const follow = (place: SheetPlace) => {
+      const to = inTurnedAxes(place.at, heading);
+      const box = before && grip ? dragged(before, grip, [to[0] - at[0], to[1] - at[1]]) : boxBetween(at, to);
+      this.#drawn = { ...box, heading };
       this.#tell();
     };
     const end = (isDone: boolean) => {
@@ -87,16 +93,15 @@ export class CropTool implements PlanTool {
   get marks(): readonly SheetMark[] {
     const box = this.#model?.tool === 'crop' ? this.#box : null;
     if (!box) return [];
-    return [{ kind: 'box', ...box, handles: HANDLES.map((handle) => handleAt(box, handle)) }];
+    const handles = HANDLES.map((handle) => inTurnedAxes(handleAt(box, handle), -box.heading));
+    return [{ kind: 'box', corners: cornersOf(box), handles }];
   }
 
-  /** Plan metres. */
-  get #box(): Box | null {
+  get #box(): TurnedBox | null {
     if (this.#drawn) return this.#drawn;
     const frame = this.#model?.view?.plan.frame;
     const crop = this.#crop;
-    if (!frame || !crop) return null;
-    return { low: planPlace(frame, crop.x0, crop.y0), high: planPlace(frame, crop.x1, crop.y1) };
+    return frame && crop ? turnedBox(frame, crop) : null;
   }
 
   /** As it is set, source units and coordinates. */
@@ -105,11 +110,8 @@ export class CropTool implements PlanTool {
   }
 
   /** Source units and coordinates; heights stay as they are. */
-  #cropOf({ low, high }: Box): CropBox {
-    const side = Math.min(high[0] - low[0], high[1] - low[1]);
-    const to = sourceCoordinates(this.#model!.view!.plan.frame, Math.min(DRAWN, FINE * side));
-    const [[x0, y0], [x1, y1]] = [low, high].map(([x, y]) => [round(to.x(x), to), round(to.y(y), to)]);
-    return { x0, y0, x1, y1, heights: this.#crop?.heights ?? null };
+  #cropOf(box: TurnedBox): CropBox {
+    return { ...cropOf(this.#model!.view!.plan.frame, box), heights: this.#crop?.heights ?? null };
   }
 
   /** The bar and the marks, after something has changed. */
@@ -120,7 +122,7 @@ export class CropTool implements PlanTool {
     const box = this.#box;
     this.bar.show({
       box: this.#drawn ? this.#cropOf(this.#drawn) : this.#crop,
-      whole: wholeOf(view),
+      whole: wholeOf(view.plan.frame, view.surroundings),
       hasHeights: view.surroundings.min[2] < view.surroundings.max[2],
       unit: sayUnit(view.plan.frame.unit),
     });
@@ -130,28 +132,4 @@ export class CropTool implements PlanTool {
       this.bar.say(sides.map((side) => formatLength(side, unit)).join(' × '));
     }
   }
-}
-
-/** Where the whole cloud lies, source units and coordinates, rounded outwards. */
-function wholeOf({ plan, surroundings }: PlanView) {
-  const to = sourceCoordinates(plan.frame, DRAWN);
-  const { min, max } = surroundings;
-  const { planOrigin, metresPerUnit } = plan.frame;
-  const z = (height: number) => planOrigin[2] + height / metresPerUnit;
-  const step = 10 ** -to.digits;
-  const below = (value: number) => round(Math.floor(value / step) * step, to);
-  const above = (value: number) => round(Math.ceil(value / step) * step, to);
-  return {
-    x0: below(to.x(min[0])),
-    y0: below(to.y(min[1])),
-    z0: below(z(min[2])),
-    x1: above(to.x(max[0])),
-    y1: above(to.y(max[1])),
-    z1: above(z(max[2])),
-  };
-}
-
-/** Adding 0 makes a negative zero a zero. */
-function round(value: number, { digits }: SourceCoordinates): number {
-  return Number(value.toFixed(digits)) + 0;
 }

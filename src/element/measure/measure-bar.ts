@@ -46,10 +46,9 @@ export class MeasureBar {
         type: 'button',
         class: 'button',
         testid: 'automatic-scale',
-        'aria-label': 'Back to the automatic scale',
         on: { click: () => events.onReset() },
       },
-      'Automatic',
+      'Automatic scale',
     );
     const label = make('label', {}, make('span', {}, 'True length'), this.#length, this.#suffix);
     const submit = (event: SubmitEvent) => this.#submit(event);

@@ -1,3 +1,4 @@
+import { ringsOf } from '../../core/geometry/rings.ts';
 import type { Ring, Storey } from '../../core/types.ts';
 
 /** Plan metres. */
@@ -18,14 +19,13 @@ export interface Snapped {
 
 /** Edges of the outlines: what was scanned, so what is measured. */
 export function outlineEdges({ primary }: Storey): PlanEdge[] {
-  return primary.flatMap(({ outer, holes }) => [outer, ...holes].flatMap(edgesOf));
+  return ringsOf(primary).flatMap(edgesOf);
 }
 
 /** All edges a person may mean: outlines, structures and walls. */
 export function planEdges(storey: Storey): PlanEdge[] {
   const polygons = [...storey.secondary, ...storey.walls].map(({ outline }) => outline);
-  const others = polygons.flatMap(({ outer, holes }) => [outer, ...holes].flatMap(edgesOf));
-  return [...outlineEdges(storey), ...others];
+  return [...outlineEdges(storey), ...ringsOf(polygons).flatMap(edgesOf)];
 }
 
 /** The nearest corner within `reach` metres, else the nearest place of an edge, else the place itself. O(edges). */

@@ -2,7 +2,7 @@ import { FloorPlanError } from '../../core/errors.ts';
 import { STAGES } from '../../core/stages.ts';
 import { icon } from '../icon.ts';
 import { make, setText } from '../make.ts';
-import type { Actions, Panel } from '../model.ts';
+import type { Actions, Model, Panel } from '../model.ts';
 import { sayLabels } from '../plain-words.ts';
 
 /** Says that the pictures are of a run that failed, why it did and what to try, and leads back to the plan shown. */
@@ -24,7 +24,7 @@ export class FailedBanner implements Panel {
     );
   }
 
-  show({ steps, failed, view }: Parameters<Panel['show']>[0]): void {
+  show({ steps, failed, view }: Model): void {
     this.node.hidden = steps.of !== 'failed' || !failed;
     if (!failed) return;
     const { error, stage } = failed;

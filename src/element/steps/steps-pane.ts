@@ -85,8 +85,7 @@ export class StepsPane {
     if (!picture) return;
     // Nothing to compare a failed run with.
     if (of === 'failed') this.compare(false);
-    const run = of === 'failed' ? model.failed : model.view;
-    const isAnother = this.#shelf.turnTo(run, of);
+    const isAnother = this.#shelf.turnTo(runOf(model), of);
     this.#banner.show(model);
     this.#caption.show(model.steps, picture, this.#roundOf(picture));
     this.#clusters.show(model);
@@ -167,20 +166,16 @@ export class StepsPane {
 
   /** The small pictures, one after the other, so that none holds up the large one. */
   async #develop(pictures: readonly PictureFacts[]): Promise<void> {
-    const run = this.#runOf(this.#model);
+    const run = runOf(this.#model);
     for (const { name } of pictures) {
       const svg = await this.#shelf.get(name).catch(() => null);
-      if (run !== this.#runOf(this.#model)) return;
+      if (run !== runOf(this.#model)) return;
       if (svg) this.#strip.setPicture(name, svg);
     }
   }
 
   #roundOf({ rounds }: PictureFacts): number {
     return Math.min(this.#round, rounds);
-  }
-
-  #runOf(model: Model | null): object | null {
-    return model && (model.steps.of === 'failed' ? model.failed : model.view);
   }
 
   #save(): void {
@@ -210,6 +205,11 @@ export class StepsPane {
     this.#actions.moveStep(by);
     if (target.role === 'tab') this.#strip.keepFocus();
   }
+}
+
+/** Whose pictures are shown. */
+function runOf(model: Model | null): object | null {
+  return model && (model.steps.of === 'failed' ? model.failed : model.view);
 }
 
 function sayError(error: unknown): string {

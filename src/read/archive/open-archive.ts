@@ -1,5 +1,5 @@
 import { FloorPlanError } from '../../core/errors.ts';
-import type { ByteSource } from '../bytes/source.ts';
+import { type ByteSource, inPieces } from '../bytes/source.ts';
 import { latin1 } from '../signatures.ts';
 import { inflate } from './inflate.ts';
 import { type UnpackedSource, unpackedSource } from './unpacked-source.ts';
@@ -7,8 +7,6 @@ import { entryBegin, readZipDirectory, type ZipEntry } from './zip.ts';
 
 const STORED = 0;
 const DEFLATED = 8;
-/** Bytes of a stored entry handed on at once. */
-const PIECE_BYTES = 1 << 20;
 /** More files than that are no scan's tiles. */
 const MOST_ENTRIES = 4096;
 
@@ -72,13 +70,7 @@ interface Part {
 function part(source: ByteSource, offset: number, size: number): Part {
   const slice = (begin: number, end: number) =>
     source.slice(offset + Math.min(begin, size), offset + Math.min(end, size));
-  return {
-    size,
-    slice,
-    async *stream() {
-      for (let begin = 0; begin < size; begin += PIECE_BYTES) yield await slice(begin, begin + PIECE_BYTES);
-    },
-  };
+  return { size, slice, stream: () => inPieces(slice, size) };
 }
 
 /** Read in any order, as it lies. */

@@ -1,6 +1,6 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import { blobSource } from '../bytes/blob-source.ts';
-import { joinBytes } from '../bytes/byte-cursor.ts';
+import { firstBytes } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import { HEAD_BYTES } from '../signatures.ts';
 
@@ -62,17 +62,6 @@ export function unpackedSource({ name, size, files, unpack }: Unpacking): Unpack
       return (await whole).slice(begin, end);
     },
   };
-}
-
-async function firstBytes(stream: AsyncIterable<Uint8Array>, length: number): Promise<Uint8Array> {
-  const pieces: Uint8Array[] = [];
-  let total = 0;
-  for await (const piece of stream) {
-    pieces.push(piece);
-    total += piece.length;
-    if (total >= length) break;
-  }
-  return joinBytes(pieces, total).subarray(0, length);
 }
 
 async function unpackWhole(name: string, stream: AsyncIterable<Uint8Array>): Promise<ByteSource> {

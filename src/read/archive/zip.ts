@@ -1,5 +1,6 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { viewOf } from '../bytes/view-of.ts';
 
 const END_MARK = 0x06054b50;
 const END_BYTES = 22;
@@ -158,10 +159,6 @@ function sizesOf(view: DataView, at: number, nameEnd: number, extraEnd: number) 
 /** Names without the flag are in the packer's code page; Latin-1 is near enough for a message. */
 function decodeName(bytes: Uint8Array, isUtf8: boolean): string {
   return new TextDecoder(isUtf8 ? 'utf-8' : 'latin1').decode(bytes);
-}
-
-function viewOf(bytes: Uint8Array): DataView {
-  return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 }
 
 function noDirectory(name: string, offset: number): FloorPlanError {

@@ -1,8 +1,5 @@
 import { FloorPlanError } from '../../core/errors.ts';
-import type { ByteSource } from './source.ts';
-
-/** Large enough that the wait for a piece does not show, small enough that memory does not notice. */
-export const PIECE_BYTES = 1 << 20;
+import { type ByteSource, inPieces } from './source.ts';
 
 /** Reads a Blob or a File. @throws input/unreadable, when the file has changed or gone since it was picked */
 export function blobSource(blob: Blob, name = nameOf(blob)): ByteSource {
@@ -21,10 +18,7 @@ export function blobSource(blob: Blob, name = nameOf(blob)): ByteSource {
     name,
     size: blob.size,
     slice,
-    async *stream() {
-      for (let begin = 0; begin < blob.size; begin += PIECE_BYTES)
-        yield await slice(begin, begin + PIECE_BYTES);
-    },
+    stream: () => inPieces(slice, blob.size),
   };
 }
 

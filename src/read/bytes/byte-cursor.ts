@@ -76,6 +76,18 @@ export class ByteCursor {
   }
 }
 
+/** The first `length` bytes of a stream, or all where it is shorter; the rest is not asked for. */
+export async function firstBytes(stream: AsyncIterable<Uint8Array>, length: number): Promise<Uint8Array> {
+  const pieces: Uint8Array[] = [];
+  let total = 0;
+  for await (const piece of stream) {
+    pieces.push(piece);
+    total += piece.length;
+    if (total >= length) break;
+  }
+  return joinBytes(pieces, total).subarray(0, length);
+}
+
 /** Bytes of all pieces in one array. */
 export function joinBytes(pieces: readonly Uint8Array[], total: number): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(total);

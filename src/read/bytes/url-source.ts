@@ -1,5 +1,5 @@
 import { FloorPlanError } from '../../core/errors.ts';
-import { joinBytes } from './byte-cursor.ts';
+import { firstBytes } from './byte-cursor.ts';
 import type { ByteSource } from './source.ts';
 
 /** Asked for first: enough for any header, and it shows whether the server knows ranges. */
@@ -34,7 +34,7 @@ export function urlSource(url: string, signal?: AbortSignal): ByteSource {
       isSequential = !hasRanges && head.length === PROBE_BYTES;
       if (end <= head.length || head.length < PROBE_BYTES) return head.subarray(begin, end);
       if (hasRanges) return readRange(request, begin, end);
-      return (await firstBytes(request, await get(request), end)).subarray(begin, end);
+      return (await firstBytes(streamOf(request), end)).subarray(begin, end);
     },
   };
 }
@@ -48,7 +48,7 @@ interface Probe {
 
 async function probe(request: UrlRequest): Promise<Probe> {
   const response = await openProbe(request);
-  const head = await firstBytes(request, response, PROBE_BYTES);
+  const head = await firstBytes(bodyOf(request, response), PROBE_BYTES);
   return { head, hasRanges: response.status === 206, size: sizeOf(response) };
 }
 
@@ -98,46 +98,41 @@ async function* bodyOf(request: UrlRequest, response: Response): AsyncGenerator<
   let isDone = false;
   try {
     while (true) {
-      const { done, value } = await reader.read();
+      const { done, value } = await reader.read().catch((cause) => {
+        throw brokenError(request, response, received, cause);
+      });
       isDone = done;
-      if (done) return;
+      if (done) break;
       received += value.length;
       yield value;
     }
-  } catch (cause) {
-    throw networkError(request, `the connection broke after ${received} bytes`, cause, { offset: received });
   } finally {
     if (!isDone) await reader.cancel().catch(() => undefined);
   }
+  // Browsers see to this themselves, unless a service worker answers.
+  if (received < (lengthOf(response) ?? 0)) throw brokenError(request, response, received);
 }
 
 async function readRange(request: UrlRequest, begin: number, end: number): Promise<Uint8Array> {
   const response = await get(request, `bytes=${begin}-${end - 1}`);
-  if (response.status === 206) return firstBytes(request, response, end - begin);
-  return (await firstBytes(request, response, end)).subarray(begin, end);
+  if (response.status === 206) return firstBytes(bodyOf(request, response), end - begin);
+  return (await firstBytes(bodyOf(request, response), end)).subarray(begin, end);
 }
 
-/** The first `length` bytes of a body, or all where it is shorter; the rest is not fetched. */
-async function firstBytes(request: UrlRequest, response: Response, length: number): Promise<Uint8Array> {
-  const pieces: Uint8Array[] = [];
-  let total = 0;
-  for await (const piece of bodyOf(request, response)) {
-    pieces.push(piece);
-    total += piece.length;
-    if (total >= length) break;
-  }
-  return joinBytes(pieces, total).subarray(0, length);
-}
-
-/** Undefined unless the length surely counts the decoded bytes: a wrong size would make a whole file look cut off. */
+/** Of the whole file. */
 function sizeOf(response: Response): number | undefined {
   if (response.headers.has('content-encoding')) return undefined;
   const range = /\/(\d+)$/.exec(response.headers.get('content-range') ?? '');
   if (range) return Number(range[1]);
+  return response.status === 200 ? lengthOf(response) : undefined;
+}
+
+/** Of the body. Undefined unless it surely counts the decoded bytes: a wrong one would make a whole file look cut off. */
+function lengthOf({ headers, type }: Response): number | undefined {
+  const length = headers.get('content-length');
   // Across origins the encoding is hidden from us.
-  const length = response.headers.get('content-length');
-  const isWhole = response.status === 200 && response.type !== 'cors';
-  return isWhole && length !== null ? Number(length) : undefined;
+  const isSure = type !== 'cors' && !headers.has('content-encoding');
+  return isSure && length !== null ? Number(length) : undefined;
 }
 
 /** The file's name in a URL, decoded. */
@@ -151,13 +146,37 @@ export function nameOf(url: string): string {
   }
 }
 
+function brokenError(
+  { url, signal }: UrlRequest,
+  response: Response,
+  received: number,
+  cause?: unknown,
+): FloorPlanError {
+  if (signal?.aborted) return cancelledError(cause);
+  const length = lengthOf(response);
+  const of = length === undefined ? '' : ` of ${length}`;
+  return new FloorPlanError(
+    'environment/network',
+    `expected a file at ${url}, found: the connection broke after ${received}${of} bytes`,
+    {
+      hint: 'Load it once more, or download the file and open that.',
+      detail: { url, offset: received },
+      cause,
+    },
+  );
+}
+
+function cancelledError(cause: unknown): FloorPlanError {
+  return new FloorPlanError('cancelled', 'The download was cancelled.', { cause });
+}
+
 function networkError(
   { url, signal }: UrlRequest,
   found: string,
   cause?: unknown,
   detail: Readonly<Record<string, string | number>> = {},
 ): FloorPlanError {
-  if (signal?.aborted) return new FloorPlanError('cancelled', 'The download was cancelled.', { cause });
+  if (signal?.aborted) return cancelledError(cause);
   return new FloorPlanError('environment/network', `expected a file at ${url}, found: ${found}`, {
     hint: 'Check the address, and that its server allows other sites to read it (CORS).',
     detail: { url, ...detail },

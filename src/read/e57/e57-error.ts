@@ -10,12 +10,3 @@ export function malformedE57(
 ): FloorPlanError {
   return new FloorPlanError('input/malformed', `${name}: ${message}`, { hint: HINT, detail: place });
 }
-
-/** @param expected what the file should still hold @param offset byte at which it ends */
-export function truncatedE57(name: string, expected: string, offset: number): FloorPlanError {
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${expected}, found the end of the file at byte ${offset}`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { offset } },
-  );
-}

@@ -1,6 +1,8 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteSource } from '../bytes/source.ts';
-import { malformedE57, truncatedE57 } from './e57-error.ts';
+import { viewOf } from '../bytes/view-of.ts';
+import { cutOffAt } from '../cut-off.ts';
+import { malformedE57 } from './e57-error.ts';
 import { PAGE_BYTES, readLogical } from './pages.ts';
 import { parseXml, type XmlElement, XmlError } from './xml.ts';
 
@@ -12,15 +14,15 @@ const MOST_XML_BYTES = 1 << 26;
 export async function readE57Root(source: ByteSource): Promise<XmlElement> {
   const { name } = source;
   const head = await source.slice(0, HEADER_BYTES);
-  if (head.length < HEADER_BYTES) throw truncatedE57(name, `a header of ${HEADER_BYTES} bytes`, head.length);
-  const view = new DataView(head.buffer, head.byteOffset, head.byteLength);
+  if (head.length < HEADER_BYTES) throw cutOffAt(name, `a header of ${HEADER_BYTES} bytes`, head.length);
+  const view = viewOf(head);
   const [fileBytes, xmlOffset, xmlBytes, pageBytes] = [16, 24, 32, 40].map((at) =>
     Number(view.getBigUint64(at, true)),
   );
   if (pageBytes !== PAGE_BYTES)
     throw malformedE57(name, `expected pages of ${PAGE_BYTES} bytes, found ${pageBytes}`, { offset: 40 });
   if (source.size !== undefined && fileBytes > source.size)
-    throw truncatedE57(name, `${fileBytes} bytes as the header says`, source.size);
+    throw cutOffAt(name, `${fileBytes} bytes as the header says`, source.size);
   if (xmlBytes > MOST_XML_BYTES) throw xmlTooLarge(name, xmlBytes);
   if (xmlOffset + xmlBytes > fileBytes || xmlOffset < HEADER_BYTES || xmlBytes === 0) {
     throw malformedE57(

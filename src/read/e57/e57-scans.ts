@@ -1,5 +1,5 @@
 import { FloorPlanError } from '../../core/errors.ts';
-import { MOST_STATIONS, type Pose } from '../pose.ts';
+import { MOST_STATIONS, type Pose, rotationOf } from '../pose.ts';
 import type { E57Node } from './e57-node.ts';
 import { type Prototype, readPrototype } from './prototype.ts';
 
@@ -40,17 +40,9 @@ function readPose(scan: E57Node): Pose | null {
   const quaternion = numbers('rotation', ['w', 'x', 'y', 'z'], [1, 0, 0, 0]);
   const length = Math.hypot(...quaternion);
   if (length === 0) throw pose.malformed('a rotation', '0 0 0 0');
+  const [w, i, j, k] = quaternion.map((part) => part / length);
   const [x, y, z] = numbers('translation', ['x', 'y', 'z'], [0, 0, 0]);
-  return { rotation: rotationOf(quaternion.map((part) => part / length)), translation: [x, y, z] };
-}
-
-/** @param quaternion w, x, y, z of length 1 */
-function rotationOf([w, x, y, z]: readonly number[]): number[] {
-  return [
-    ...[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-    ...[2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-    ...[2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-  ];
+  return { rotation: rotationOf(w, i, j, k), translation: [x, y, z] };
 }
 
 function noScans(file: string, scans: number, images: number): FloorPlanError {

@@ -1,3 +1,4 @@
+import { viewOf } from '../bytes/view-of.ts';
 import type { FieldColumn } from '../point-buffer.ts';
 import type { PackedField } from './prototype.ts';
 
@@ -79,7 +80,7 @@ export class PackedColumn {
     const { bits, scale, shift, minimum } = this.field;
     const lowMask = bits < 32 ? (1 << bits) - 1 : -1;
     const highMask = bits < 64 ? 2 ** Math.max(0, bits - 32) - 1 : -1;
-    const view = new DataView(this.#bytes.buffer);
+    const view = viewOf(this.#bytes);
     const end = first + step * count;
     let bit = this.#bit;
     for (let to = first; to < end; to += step, bit += bits) {
@@ -97,7 +98,7 @@ export class PackedColumn {
   }
 
   #unpackFloats({ into, first, step }: FieldColumn, count: number): void {
-    const view = new DataView(this.#bytes.buffer);
+    const view = viewOf(this.#bytes);
     let at = this.#bit >>> 3;
     const end = first + step * count;
     if (this.field.kind === 'float32') {

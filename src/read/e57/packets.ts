@@ -1,3 +1,5 @@
+import { countOf } from '../../core/count-words.ts';
+import { viewOf } from '../bytes/view-of.ts';
 import { malformedE57 } from './e57-error.ts';
 import type { E57Scan } from './e57-scans.ts';
 import type { PackedColumn } from './packed-column.ts';
@@ -86,7 +88,7 @@ export class PacketReader {
 
   #view(): DataView {
     const { bytes, position } = this.#cursor;
-    return new DataView(bytes.buffer, position);
+    return viewOf(bytes, position);
   }
 
   #malformed(found: string) {
@@ -104,7 +106,7 @@ export class PacketReader {
     const { index, count } = this.#scan;
     return malformedE57(
       this.#file,
-      `expected ${count} points in scan ${index} as the header says, found the end of its section at byte ${offset} after ${count - left}`,
+      `expected ${countOf(count, 'point')} in scan ${index} as the header says, found the end of its section at byte ${offset} after ${count - left}`,
       { offset, scan: index, announced: count },
     );
   }

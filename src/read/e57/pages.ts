@@ -1,8 +1,9 @@
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { ReadProgress } from '../cloud-reader.ts';
+import { cutOffAt } from '../cut-off.ts';
 import { crc32c } from './crc32c.ts';
-import { malformedE57, truncatedE57 } from './e57-error.ts';
+import { malformedE57 } from './e57-error.ts';
 
 /** An E57 file is a row of pages of this size; each ends with the CRC-32C of what it carries ([E2807] §6.2). */
 export const PAGE_BYTES = 1024;
@@ -66,7 +67,7 @@ export async function readLogical(source: ByteSource, offset: number, length: nu
   const count = Math.ceil((begin + length) / PAYLOAD_BYTES) - first;
   const bytes = await source.slice(first * PAGE_BYTES, (first + count) * PAGE_BYTES);
   if (bytes.length < count * PAGE_BYTES) {
-    throw truncatedE57(name, `${length} bytes at byte ${offset}`, first * PAGE_BYTES + bytes.length);
+    throw cutOffAt(name, `${length} bytes at byte ${offset}`, first * PAGE_BYTES + bytes.length);
   }
   const payloads = new Uint8Array(count * PAYLOAD_BYTES);
   takePayloads({ name, bytes, begin: 0, count, first }, payloads, 0);
@@ -177,6 +178,6 @@ export class PagedCursor {
 
   #truncated(length: number) {
     const { offset, available } = this.#cursor;
-    return truncatedE57(this.#name, `${length} more bytes at byte ${this.offset}`, offset + available);
+    return cutOffAt(this.#name, `${length} more bytes at byte ${this.offset}`, offset + available);
   }
 }

@@ -1,6 +1,9 @@
+import { countOf } from '../../core/count-words.ts';
 import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteSource } from '../bytes/source.ts';
-import { cutOff, type LasHeader, malformed } from './las-header.ts';
+import { viewOf } from '../bytes/view-of.ts';
+import { tooFewBytes } from '../cut-off.ts';
+import { type LasHeader, malformed } from './las-header.ts';
 import type { LaszipRecord } from './laszip-record.ts';
 import { NumberDecoder, RangeDecoder } from './range-decoder.ts';
 
@@ -32,7 +35,7 @@ export async function readChunkTable(
   const at = await tablePlace(source, header);
   const head = await source.slice(at, at + 8);
   if (head.length < 8) throw tableCut(source, header, at);
-  const count = new DataView(head.buffer, head.byteOffset).getUint32(4, true);
+  const count = viewOf(head).getUint32(4, true);
   // A chunk begins with its first point as it is, and holds one at least.
   const most = Math.min(header.count, Math.ceil((at - begin) / header.recordBytes));
   if (count === 0 || count > most) throw malformed(source.name, at + 4, `1 to ${most} chunks`, count);
@@ -50,8 +53,13 @@ export async function readChunkTable(
     end += bytes;
   }
   if (left === 0 && end <= at) return table;
-  const found = `${header.count - left} points in ${end - begin} bytes`;
-  throw malformed(source.name, at, `chunks of ${header.count} points in ${at - begin} bytes`, found);
+  const found = `${countOf(header.count - left, 'point')} in ${end - begin} bytes`;
+  throw malformed(
+    source.name,
+    at,
+    `chunks of ${countOf(header.count, 'point')} in ${at - begin} bytes`,
+    found,
+  );
 }
 
 /** −1 where the writer could not go back to note it: then it stands at the end. */
@@ -75,11 +83,11 @@ async function tablePlace(source: ByteSource, header: LasHeader): Promise<number
 async function placeAt(source: ByteSource, header: LasHeader, at: number): Promise<number> {
   const bytes = await source.slice(at, at + POINTER_BYTES);
   if (bytes.length < POINTER_BYTES) throw tableCut(source, header, at);
-  const place = Number(new DataView(bytes.buffer, bytes.byteOffset).getBigInt64(0, true));
+  const place = Number(viewOf(bytes).getBigInt64(0, true));
   if (!Number.isSafeInteger(place)) throw malformed(source.name, at, 'the place of the chunk table', place);
   return place;
 }
 
 function tableCut({ name, size = 0 }: ByteSource, { count }: LasHeader, at: number): FloorPlanError {
-  return cutOff(name, { count, needed: at + 8, size });
+  return tooFewBytes(name, { count, needed: at + 8 }, size);
 }

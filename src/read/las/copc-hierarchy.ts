@@ -1,5 +1,7 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { viewOf } from '../bytes/view-of.ts';
+import { cutOffAt } from '../cut-off.ts';
 import { malformed } from './las-header.ts';
 import type { VariableRecord } from './variable-records.ts';
 
@@ -36,7 +38,7 @@ export function readCopcInfo(name: string, records: readonly VariableRecord[]): 
   const bytes = records.find(({ user, id }) => user === 'copc' && id === 1)?.bytes;
   if (!bytes || bytes.length < INFO_BYTES)
     throw copcError(name, 'the record "copc" of 160 bytes', bytes?.length ?? 0);
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  const view = viewOf(bytes);
   const spacing = view.getFloat64(32, true);
   if (!(spacing > 0 && spacing < Number.POSITIVE_INFINITY))
     throw copcError(name, 'a spacing above 0', spacing);
@@ -89,14 +91,15 @@ export class CopcHierarchy {
     if (bytes === 0 || bytes % ENTRY_BYTES !== 0 || this.#pageBytes > MOST_BYTES)
       throw malformed(name, offset, 'a page of the octree', `${bytes} bytes`);
     const page = await this.#source.slice(offset, offset + bytes);
-    if (page.length < bytes) throw pageCut(name, offset, { expected: bytes, found: page.length });
+    if (page.length < bytes)
+      throw cutOffAt(name, `${bytes} bytes of the octree at byte ${offset}`, offset + page.length);
     this.#end = Math.max(this.#end, offset + bytes);
     if (this.#pageBytes > this.#end) throw malformed(name, offset, 'a page of the octree', 'one read before');
     return page;
   }
 
   #parse(page: Page, bytes: Uint8Array): void {
-    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+    const view = viewOf(bytes);
     const pages: Page[] = [];
     for (let at = 0; at < bytes.length; at += ENTRY_BYTES) {
       const entry = {
@@ -124,14 +127,6 @@ export class CopcHierarchy {
     }
     this.nodes.push(node);
   }
-}
-
-function pageCut(name: string, offset: number, bytes: { expected: number; found: number }): FloorPlanError {
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${bytes.expected} bytes of the octree at byte ${offset}, found ${bytes.found}`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { offset } },
-  );
 }
 
 function copcError(name: string, expected: string, found: string | number): FloorPlanError {

@@ -1,3 +1,4 @@
+import { viewOf } from '../bytes/view-of.ts';
 import { type CoordinateSystem, epsgOf } from './coordinate-system.ts';
 import type { VariableRecord } from './variable-records.ts';
 
@@ -47,7 +48,7 @@ export function geoKeySystem(records: readonly VariableRecord[]): CoordinateSyst
 
 /** Keys whose value stands in the directory itself. */
 function shortKeys(bytes: Uint8Array): Map<number, number> {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  const view = viewOf(bytes);
   const keys = new Map<number, number>();
   // Four numbers a key, after four of the directory's own.
   for (let at = 8; at + 8 <= bytes.length; at += 8) {

@@ -1,6 +1,8 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import type { Vec3 } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { viewOf } from '../bytes/view-of.ts';
+import { cutOffAt, tooFewBytes } from '../cut-off.ts';
 import { POINT_FORMATS } from './point-formats.ts';
 
 /** What the header block of a LAS file says [ASPRS19] §2.4. */
@@ -32,7 +34,7 @@ const FORMAT_BITS = 0x3f;
 export async function readLasHeader(source: ByteSource): Promise<LasHeader> {
   const head = await source.slice(0, LARGEST_HEADER);
   if (head.length < LEAST_HEADER[0]) throw headerCut(source.name, head.length);
-  const view = new DataView(head.buffer, head.byteOffset, head.length);
+  const view = viewOf(head);
   const minor = versionOf(source.name, view);
   const least = LEAST_HEADER[minor];
   if (head.length < least) throw headerCut(source.name, head.length);
@@ -101,22 +103,7 @@ function checkHeader(
       hint: 'Export the cloud again, with its points.',
     });
   }
-  if (pointsBegin >= size) throw cutOff(name, { count, needed: pointsBegin + 1, size });
-}
-
-/** A count or a place in the header that the file does not keep. */
-export function cutOff(
-  name: string,
-  { count, needed, size }: { count: number; needed: number; size: number },
-): FloorPlanError {
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${count} points as the header says, at least ${needed} bytes; found the end of the file at byte ${size}`,
-    {
-      hint: 'The file seems cut off; copy or export it again.',
-      detail: { offset: size, needed, announced: count },
-    },
-  );
+  if (pointsBegin >= size) throw tooFewBytes(name, { count, needed: pointsBegin + 1 }, size);
 }
 
 export function malformed(
@@ -133,9 +120,5 @@ export function malformed(
 }
 
 function headerCut(name: string, size: number): FloorPlanError {
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected a LAS header, found the end of the file at byte ${size}`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { offset: size } },
-  );
+  return cutOffAt(name, 'a LAS header', size);
 }

@@ -1,4 +1,5 @@
 import { FloorPlanError } from '../../core/errors.ts';
+import { viewOf } from '../bytes/view-of.ts';
 import { type LasHeader, malformed } from './las-header.ts';
 import { FIRST_EXTENDED } from './point-formats.ts';
 import type { VariableRecord } from './variable-records.ts';
@@ -61,7 +62,7 @@ export function readLaszipRecord(
       { hint: 'The file seems damaged; copy or export it again.' },
     );
   }
-  const view = new DataView(record.bytes.buffer, record.bytes.byteOffset, record.bytes.length);
+  const view = viewOf(record.bytes);
   const compressor = view.getUint16(0, true);
   const items = itemsOf(view);
   const expected = FORMAT_ITEMS[format];
@@ -76,7 +77,11 @@ export function readLaszipRecord(
     throw new FloorPlanError(
       'input/unknown-format',
       `${name}: expected points of format 0 to 3 or 6 to 10, compressed in chunks; found format ${format}, compressor ${compressor}, items ${found || 'none'}`,
-      { hint: 'Save the cloud as LAS, or as LAZ with a current LASzip.' },
+      {
+        hint: expected
+          ? 'Save the cloud as LAS, or as LAZ with a current LASzip.'
+          : 'Save the cloud as LAS, or as LAZ without its wave packets: in point format 1 or 3.',
+      },
     );
   }
   const itemBytes = items.reduce((sum, { bytes }) => sum + bytes, 0);

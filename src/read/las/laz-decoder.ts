@@ -1,12 +1,14 @@
+import { countOf } from '../../core/count-words.ts';
 import { FloorPlanError } from '../../core/errors.ts';
 import type { PointChunk } from '../cloud-reader.ts';
-import type { PointBuffer } from '../point-buffer.ts';
+import { bufferFor, type PointBuffer } from '../point-buffer.ts';
 import { decodeRecords, type RecordLayout } from '../records.ts';
+import { wasmError } from '../wasm.ts';
 import { type LasHeader, malformed } from './las-header.ts';
 import type { LaszipRecord } from './laszip-record.ts';
 import { type LazChunk, wantedLayers, writeWantedLayers } from './laz-layers.ts';
 import { createLazModule, type LazModule } from './laz-module.ts';
-import { bufferFor, type LasFile, type ReadCount } from './open-las.ts';
+import type { LasFile, ReadCount } from './open-las.ts';
 import { FIRST_EXTENDED, POINT_FORMATS } from './point-formats.ts';
 
 /** Points decompressed at once: their records stay in the processor's cache. */
@@ -45,7 +47,7 @@ export class LazDecoder {
     this.#header = header;
     this.#laszip = laszip;
     this.#records = module.allocate(RUN_POINTS * stride);
-    this.buffer = bufferFor(layout);
+    this.buffer = bufferFor(layout.fields);
   }
 
   /** @throws environment/wasm, where WebAssembly may not be used */
@@ -54,14 +56,7 @@ export class LazDecoder {
     try {
       module = await createLazModule();
     } catch (cause) {
-      throw new FloorPlanError(
-        'environment/wasm',
-        'LAZ is decompressed with WebAssembly, which may not be used here.',
-        {
-          hint: "Allow 'wasm-unsafe-eval' in the page's content security policy, or save the cloud as LAS.",
-          cause,
-        },
-      );
+      throw wasmError('LAZ', 'the cloud as LAS', cause);
     }
     return new LazDecoder(module, file, laszip);
   }
@@ -73,7 +68,7 @@ export class LazDecoder {
     const perByte = Math.min(MOST_POINTS_PER_BYTE, MOST_GROWTH / stride);
     const most = Math.floor(perByte * chunk.bytes.length);
     if (chunk.points > most)
-      throw malformed(this.#name, chunk.offset, `at most ${most} points`, chunk.points);
+      throw malformed(this.#name, chunk.offset, `at most ${countOf(most, 'point')}`, chunk.points);
     if (chunk.bytes.length > MOST_CHUNK_BYTES) throw tooLarge(this.#name, chunk);
     const { pointer, decoder } = this.#guard(chunk, () => this.#open(chunk));
     let left = chunk.points;
@@ -127,7 +122,7 @@ export class LazDecoder {
       if (cause instanceof FloorPlanError) throw cause;
       throw new FloorPlanError(
         'input/malformed',
-        `${this.#name}: expected ${points} compressed points in ${bytes.length} bytes at byte ${offset}, found bytes that cannot be decompressed`,
+        `${this.#name}: expected ${countOf(points, 'compressed point')} in ${bytes.length} bytes at byte ${offset}, found bytes that cannot be decompressed`,
         { hint: 'The file seems damaged; copy or export it again.', detail: { offset }, cause },
       );
     }

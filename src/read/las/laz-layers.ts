@@ -1,3 +1,5 @@
+import { countOf } from '../../core/count-words.ts';
+import { viewOf } from '../bytes/view-of.ts';
 import { malformed } from './las-header.ts';
 import type { LaszipRecord } from './laszip-record.ts';
 import { POINT_FORMATS } from './point-formats.ts';
@@ -46,14 +48,15 @@ export function writeWantedLayers(
   { name, recordBytes, layers, expected, firstBytes }: WantedLayers & { name: string; recordBytes: number },
   to: Uint8Array,
 ): void {
-  const from = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
-  const into = new DataView(to.buffer, to.byteOffset, to.length);
+  const from = viewOf(bytes);
+  const into = viewOf(to);
   const sizesAt = recordBytes + 4;
   let source = sizesAt + 4 * layers;
   if (source > bytes.length)
     throw malformed(name, offset, `a chunk of ${source} bytes or more`, bytes.length);
   const counted = from.getUint32(recordBytes, true);
-  if (counted !== points) throw malformed(name, offset + recordBytes, `${points} points in a chunk`, counted);
+  if (counted !== points)
+    throw malformed(name, offset + recordBytes, `${countOf(points, 'point')} in a chunk`, counted);
   to.fill(0);
   to.set(bytes.subarray(0, firstBytes));
   into.setUint32(firstBytes, points, true);

@@ -1,3 +1,5 @@
+import { compileInlined, growMemory } from '../wasm.ts';
+
 /** What a chunk decoder of laz-perf offers; pointers are bytes into `heap()`. */
 export interface LazModule {
   /** The module's memory as it is now: a view from before a call may be detached by it. */
@@ -13,10 +15,6 @@ export interface ChunkDecoder {
   next(to: number): void;
   close(): void;
 }
-
-/** Most memory the module may take: one chunk lies in it as a whole. */
-const MAX_MODULE_BYTES = 2 ** 30;
-const PAGE_BYTES = 2 ** 16;
 
 /** A function of the module, called through its table. */
 type Callable = (...args: number[]) => number;
@@ -62,8 +60,7 @@ export async function createLazModule(): Promise<LazModule> {
 
 async function compile(): Promise<WebAssembly.Module> {
   const { default: uri } = await import('laz-perf/lib/laz-perf.wasm?url&inline');
-  const text = atob(uri.slice(uri.indexOf(',') + 1));
-  return WebAssembly.compile(Uint8Array.from(text, (character) => character.charCodeAt(0)));
+  return compileInlined(uri);
 }
 
 function bindModule(module: ModuleExports, functions: ReadonlyMap<string, Bound>): LazModule {
@@ -121,7 +118,7 @@ function importsOf(functions: Map<string, Bound>, exports: () => ModuleExports):
       abort: () => fault('the decoder gave up'),
       emscripten_memcpy_big: (to: number, from: number, bytes: number) =>
         void heap().copyWithin(to, from, from + bytes),
-      emscripten_resize_heap: (bytes: number) => Number(grow(exports().memory, bytes >>> 0)),
+      emscripten_resize_heap: (bytes: number) => Number(growMemory(exports().memory, bytes >>> 0)),
       strftime_l: nothing,
     },
     wasi_snapshot_preview1: {
@@ -137,18 +134,6 @@ function importsOf(functions: Map<string, Bound>, exports: () => ModuleExports):
       },
     },
   };
-}
-
-/** Half as much again as is asked for, so that memory is moved seldom. */
-function grow(memory: WebAssembly.Memory, bytes: number): boolean {
-  if (bytes > MAX_MODULE_BYTES) return false;
-  const wanted = Math.min(MAX_MODULE_BYTES, Math.max(bytes, 1.5 * memory.buffer.byteLength));
-  try {
-    memory.grow(Math.ceil((wanted - memory.buffer.byteLength) / PAGE_BYTES));
-    return true;
-  } catch {
-    return false;
-  }
 }
 
 function fault(reason: string): never {

@@ -1,7 +1,8 @@
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { tooFewBytes } from '../cut-off.ts';
 import { CopcHierarchy, type CopcInfo, type CopcNode, readCopcInfo } from './copc-hierarchy.ts';
-import { cutOff, malformed } from './las-header.ts';
+import { malformed } from './las-header.ts';
 import { type LaszipRecord, readLaszipRecord } from './laszip-record.ts';
 import { LazDecoder } from './laz-decoder.ts';
 import { type LasFile, lasCloud, type ReadCount, readLasFile } from './open-las.ts';
@@ -50,7 +51,7 @@ async function* readNodes(
     const end = last.offset + last.bytes;
     const piece = await source.slice(begin, end);
     if (piece.length < end - begin)
-      throw cutOff(source.name, { count: header.count, needed: end, size: begin + piece.length });
+      throw tooFewBytes(source.name, { count: header.count, needed: end }, begin + piece.length);
     progress(end);
     for (const { offset, bytes, points } of run) {
       const chunk = piece.subarray(offset - begin, offset - begin + bytes);

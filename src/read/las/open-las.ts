@@ -1,10 +1,12 @@
+import { countOf } from '../../core/count-words.ts';
 import type { Warning } from '../../core/types.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
-import { PointBuffer } from '../point-buffer.ts';
+import { goOnWith, isWorthReading, tooFewBytes } from '../cut-off.ts';
+import { bufferFor } from '../point-buffer.ts';
 import { type RecordLayout, readRecords } from '../records.ts';
-import { cutOff, type LasHeader, readLasHeader } from './las-header.ts';
+import { type LasHeader, readLasHeader } from './las-header.ts';
 import { type Place, placeOf } from './place.ts';
 import { recordLayout } from './point-formats.ts';
 import { readVariableRecords, type VariableRecord } from './variable-records.ts';
@@ -32,15 +34,21 @@ export async function openLas(source: ByteSource): Promise<OpenCloud> {
   const file = await readLasFile(source);
   const { count, pointsBegin, recordBytes } = file.header;
   const needed = pointsBegin + count * recordBytes;
-  if (source.size !== undefined && needed > source.size)
-    throw cutOff(source.name, { count, needed, size: source.size });
-  return lasCloud(file, (progress) => readPoints(file, progress));
+  const { size = Infinity } = source;
+  const found = Math.floor((size - pointsBegin) / recordBytes);
+  if (found < count && !isWorthReading({ found, announced: count }))
+    throw tooFewBytes(source.name, { count, needed }, size);
+  return lasCloud(file, (progress, _, warnings) => readPoints(file, progress, warnings));
 }
 
 /** A cloud that reads as `chunks` does; withheld points are counted and told when all has been read. */
 export function lasCloud(
   { header, place }: LasFile,
-  chunks: (progress: ReadProgress, spacing: number) => AsyncGenerator<PointChunk, ReadCount>,
+  chunks: (
+    progress: ReadProgress,
+    spacing: number,
+    warnings: Warning[],
+  ) => AsyncGenerator<PointChunk, ReadCount>,
 ): OpenCloud {
   const warnings: Warning[] = [...place.warnings];
   return {
@@ -49,7 +57,7 @@ export function lasCloud(
     ...(place.unit && { unit: place.unit }),
     ...(place.crs && { crs: place.crs }),
     async *chunks(progress, spacing) {
-      const { decoded, kept } = yield* chunks(progress, spacing);
+      const { decoded, kept } = yield* chunks(progress, spacing, warnings);
       const isTold = warnings.some(({ code }) => code === WITHHELD);
       if (decoded > kept && !isTold) warnings.push(withheld(decoded - kept, decoded));
     },
@@ -65,37 +73,38 @@ export interface ReadCount {
 
 const WITHHELD = 'read/withheld-points';
 
-async function* readPoints(file: LasFile, progress: ReadProgress): AsyncGenerator<PointChunk, ReadCount> {
-  const { source, header, layout } = file;
+async function* readPoints(
+  { source, header, layout }: LasFile,
+  progress: ReadProgress,
+  warnings: Warning[],
+): AsyncGenerator<PointChunk, ReadCount> {
   const { count, pointsBegin, recordBytes } = header;
   const cursor = new ByteCursor(source.stream(), progress);
-  const buffer = bufferFor(layout);
-  const truncated = () => {
-    const size = cursor.offset + cursor.available;
-    return cutOff(source.name, { count, needed: pointsBegin + count * recordBytes, size });
+  const buffer = bufferFor(layout.fields);
+  let decoded = count;
+  const endEarly = (found: number) => {
+    const needed = pointsBegin + count * recordBytes;
+    const error = tooFewBytes(source.name, { count, needed }, cursor.offset + cursor.available);
+    goOnWith({ found, announced: count }, error, warnings);
+    decoded = found;
   };
   let kept = 0;
   try {
-    if (!(await cursor.skip(pointsBegin))) throw truncated();
-    for await (const chunk of readRecords({ cursor, layout, count, buffer, truncated })) {
+    if (!(await cursor.skip(pointsBegin))) endEarly(0);
+    for await (const chunk of readRecords({ cursor, layout, count, buffer, endEarly })) {
       kept += chunk.count;
       yield chunk;
     }
-    return { decoded: count, kept };
+    return { decoded, kept };
   } finally {
     await cursor.close();
   }
 }
 
-/** A buffer for what the records hold; colour may be saved in 8 or 16 bits, the values tell. */
-export function bufferFor({ fields }: RecordLayout): PointBuffer {
-  return new PointBuffer((number) => fields.some(({ field }) => field === number));
-}
-
 function withheld(left: number, of: number): Warning {
   return {
     code: WITHHELD,
-    message: `${left} of ${of} points are marked as withheld, that is deleted, and were left out.`,
+    message: `${left} of ${countOf(of, 'point')} ${left === 1 ? 'is' : 'are'} marked as withheld, that is deleted, and left out.`,
     hint: 'Take the mark off in the program that set it, if they belong to the building.',
   };
 }

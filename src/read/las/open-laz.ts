@@ -1,8 +1,8 @@
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { tooFewBytes } from '../cut-off.ts';
 import { type ChunkTable, readChunkTable } from './chunk-table.ts';
-import { cutOff } from './las-header.ts';
 import { type LaszipRecord, readLaszipRecord } from './laszip-record.ts';
 import { LazDecoder } from './laz-decoder.ts';
 import { type LasFile, lasCloud, type ReadCount, readLasFile } from './open-las.ts';
@@ -34,7 +34,7 @@ async function* readChunks(
   const decoder = await LazDecoder.create(file, laszip);
   const cursor = new ByteCursor(source.stream(), progress);
   const truncated = (needed: number) =>
-    cutOff(source.name, { count: header.count, needed, size: cursor.offset + cursor.available });
+    tooFewBytes(source.name, { count: header.count, needed }, cursor.offset + cursor.available);
   try {
     if (!(await cursor.skip(table.begin))) throw truncated(table.begin);
     for (let i = 0; i < table.bytes.length; i++) {

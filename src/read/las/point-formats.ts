@@ -1,4 +1,4 @@
-import { FIELDS } from '../point-buffer.ts';
+import { CLASSIFICATION, INTENSITY, RED } from '../point-buffer.ts';
 import type { RecordField, RecordLayout } from '../records.ts';
 import type { LasHeader } from './las-header.ts';
 
@@ -45,20 +45,17 @@ export function recordLayout(
     const [factor, shift] = [scale[axis] * ratio, offset[axis] * ratio];
     return { field: axis, type: 'int32', offset: 4 * axis, scale: factor, shift };
   });
-  fields.push({ field: fieldOf('intensity'), type: 'uint16', offset: 12, scale: 1 / FULL_INTENSITY });
+  fields.push({ field: INTENSITY, type: 'uint16', offset: 12, scale: 1 / FULL_INTENSITY });
   fields.push({
-    field: fieldOf('classification'),
+    field: CLASSIFICATION,
     type: 'uint8',
     offset: isExtended ? 16 : 15,
     ...(!isExtended && { mask: LEGACY_CLASS }),
   });
   if (colour !== undefined) {
-    ['red', 'green', 'blue'].forEach((name, i) => {
-      fields.push({ field: fieldOf(name as 'red'), type: 'uint16', offset: colour + 2 * i });
-    });
+    for (let channel = 0; channel < 3; channel++)
+      fields.push({ field: RED + channel, type: 'uint16', offset: colour + 2 * channel });
   }
   const withheld = { offset: 15, mask: isExtended ? 0b100 : 0b1000_0000 };
   return { fields, stride: recordBytes, isLittleEndian: true, leftOut: withheld };
 }
-
-const fieldOf = (name: (typeof FIELDS)[number]) => FIELDS.indexOf(name);

@@ -1,4 +1,5 @@
 import type { ByteSource } from '../bytes/source.ts';
+import { viewOf } from '../bytes/view-of.ts';
 import { latin1 } from '../signatures.ts';
 import type { LasHeader } from './las-header.ts';
 
@@ -32,7 +33,7 @@ export function isCrs({ user }: VariableRecord): boolean {
 }
 
 function parseRecords(bytes: Uint8Array, count: number): VariableRecord[] {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  const view = viewOf(bytes);
   const list: VariableRecord[] = [];
   let begin = 0;
   while (list.length < count && begin + HEADER_BYTES <= bytes.length) {
@@ -59,7 +60,7 @@ async function readExtended(
     if (source.size === undefined || at + EXTENDED_HEADER_BYTES > source.size) break;
     const head = await source.slice(at, at + EXTENDED_HEADER_BYTES);
     if (head.length < EXTENDED_HEADER_BYTES) break;
-    const view = new DataView(head.buffer, head.byteOffset, head.length);
+    const view = viewOf(head);
     const length = Number(view.getBigUint64(20, true));
     at += EXTENDED_HEADER_BYTES;
     if (at + length > source.size) break;

@@ -1,10 +1,13 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import { ByteCursor, joinBytes } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { viewOf } from '../bytes/view-of.ts';
 import type { ReadProgress } from '../cloud-reader.ts';
+import { cutOffAt } from '../cut-off.ts';
 import { latin1 } from '../signatures.ts';
 import { isGlb } from './glb-mark.ts';
 import type { ByteRange, GltfJson } from './gltf-json.ts';
+import { unpackMeshopt } from './meshopt.ts';
 
 /** Longest JSON: engines hold no longer strings than about twice this. */
 const MOST_JSON_BYTES = 1 << 28;
@@ -27,8 +30,8 @@ export interface GltfFile {
 export async function readGltfText(source: ByteSource): Promise<GltfFile> {
   const head = await source.slice(0, GLB_HEADER_BYTES);
   if (!isGlb(head)) return readPlainText(source);
-  if (head.length < GLB_HEADER_BYTES) throw cutOff(source.name, GLB_HEADER_BYTES, head.length);
-  const view = new DataView(head.buffer, head.byteOffset, head.byteLength);
+  if (head.length < GLB_HEADER_BYTES) throw tooShort(source.name, GLB_HEADER_BYTES, head.length);
+  const view = viewOf(head);
   const [version, length] = [view.getUint32(4, true), view.getUint32(12, true)];
   const kind = latin1(head.subarray(16, 20));
   if (version !== 2 || kind !== JSON_CHUNK) {
@@ -41,16 +44,16 @@ export async function readGltfText(source: ByteSource): Promise<GltfFile> {
   if (length > MOST_JSON_BYTES) throw tooLarge(source.name, length);
   const end = GLB_HEADER_BYTES + length;
   const bytes = await source.slice(GLB_HEADER_BYTES, end + CHUNK_HEADER_BYTES);
-  if (bytes.length < length) throw cutOff(source.name, end, GLB_HEADER_BYTES + bytes.length);
+  if (bytes.length < length) throw tooShort(source.name, end, GLB_HEADER_BYTES + bytes.length);
   const text = new TextDecoder().decode(bytes.subarray(0, length));
   const next = bytes.subarray(length);
   if (next.length < CHUNK_HEADER_BYTES || latin1(next.subarray(4)) !== BIN_CHUNK) {
     return { text, dataBegin: undefined, dataLength: 0 };
   }
-  const dataLength = new DataView(next.buffer, next.byteOffset).getUint32(0, true);
+  const dataLength = viewOf(next).getUint32(0, true);
   const dataBegin = end + CHUNK_HEADER_BYTES;
   if (source.size !== undefined && dataBegin + dataLength > source.size) {
-    throw cutOff(source.name, dataBegin + dataLength, source.size);
+    throw tooShort(source.name, dataBegin + dataLength, source.size);
   }
   return { text, dataBegin, dataLength };
 }
@@ -69,6 +72,7 @@ async function readPlainText(source: ByteSource): Promise<GltfFile> {
 /** The bytes of buffer views, without those between them, such as pictures. */
 export class GltfBytes {
   readonly #runs: { readonly range: ByteRange; readonly bytes: Uint8Array }[] = [];
+  readonly #unpacked = new Map<string, Uint8Array>();
 
   /** Reads what `ranges` need, in one pass. @throws input/malformed, input/truncated, input/too-large */
   static async read(
@@ -85,11 +89,28 @@ export class GltfBytes {
       if (isOwn) await bytes.#readChunk(source, file, wanted, progress);
       else bytes.#decode(gltf, uri, wanted);
     }
+    for (const range of ranges) await bytes.#unpack(gltf, range);
     return bytes;
   }
 
-  /** A range that was asked for. */
-  of({ buffer, begin, end }: ByteRange): Uint8Array {
+  /** A range that was asked for, unpacked. */
+  of(range: ByteRange): Uint8Array {
+    return this.#unpacked.get(keyOf(range)) ?? this.#raw(range);
+  }
+
+  async #unpack(gltf: GltfJson, range: ByteRange): Promise<void> {
+    const { packing, begin } = range;
+    if (!packing || this.#unpacked.has(keyOf(range))) return;
+    const bytes = await unpackMeshopt(this.#raw(range), packing);
+    if (!bytes)
+      throw gltf.malformed(
+        `${packing.count} values packed by meshopt`,
+        `other bytes at ${begin} of their buffer`,
+      );
+    this.#unpacked.set(keyOf(range), bytes);
+  }
+
+  #raw({ buffer, begin, end }: ByteRange): Uint8Array {
     const run = this.#runs.find(
       ({ range }) => range.buffer === buffer && range.begin <= begin && range.end >= end,
     );
@@ -113,7 +134,7 @@ export class GltfBytes {
         const isWhole =
           (await cursor.skip(begin + range.begin - cursor.offset)) &&
           (await cursor.fill(range.end - range.begin));
-        if (!isWhole) throw cutOff(source.name, begin + range.end, cursor.offset + cursor.available);
+        if (!isWhole) throw tooShort(source.name, begin + range.end, cursor.offset + cursor.available);
         const bytes = cursor.bytes.slice(cursor.position, cursor.position + range.end - range.begin);
         this.#runs.push({ range, bytes });
       }
@@ -129,6 +150,10 @@ export class GltfBytes {
       throw gltf.malformed(`${last} bytes in the data URI of a buffer`, `${bytes.length}`);
     this.#runs.push({ range: { buffer: ranges[0].buffer, begin: 0, end: bytes.length }, bytes });
   }
+}
+
+function keyOf({ buffer, begin, end, packing }: ByteRange): string {
+  return packing ? JSON.stringify([buffer, begin, end, packing]) : '';
 }
 
 /** In order, those that touch as one. */
@@ -180,10 +205,6 @@ function tooLarge(name: string, bytes: number): FloorPlanError {
   );
 }
 
-function cutOff(name: string, needed: number, offset: number): FloorPlanError {
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${needed} bytes as the header says, found the end of the file at byte ${offset}`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { needed, offset } },
-  );
+function tooShort(name: string, needed: number, offset: number): FloorPlanError {
+  return cutOffAt(name, `${needed} bytes as the header says`, offset, { needed });
 }

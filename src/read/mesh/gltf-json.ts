@@ -1,5 +1,6 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import { NUMBER_BYTES, type NumberType } from '../records.ts';
+import { type Packing, packedPart, readPacking } from './packed-view.ts';
 
 /** A JSON object of unknown content. */
 export type JsonObject = Readonly<Record<string, unknown>>;
@@ -22,6 +23,8 @@ export interface ByteRange {
   readonly buffer: number;
   readonly begin: number;
   readonly end: number;
+  /** How they are packed, if they are. */
+  readonly packing?: Packing;
 }
 
 /** Values in a buffer. */
@@ -117,6 +120,21 @@ export class GltfJson {
     };
   }
 
+  /** The bytes of a buffer view, which lie within the length its buffer states. */
+  range(index: unknown, where: string): ByteRange {
+    const view = this.item('bufferViews', index, where);
+    const from = `bufferViews[${index}]`;
+    const packed = packedPart(view, from, this);
+    const part = packed ?? view;
+    const buffer = this.count(part.buffer, `${from}.buffer`);
+    const length = this.count(this.item('buffers', buffer, from).byteLength, `buffers[${buffer}].byteLength`);
+    const begin = this.count(part.byteOffset, `${from}.byteOffset`, 0);
+    const end = begin + this.count(part.byteLength, `${from}.byteLength`);
+    if (end > length)
+      throw this.malformed(`${from} within the ${length} bytes of its buffer`, `its end at ${end}`);
+    return { buffer, begin, end, ...(packed && { packing: readPacking(packed, from, this) }) };
+  }
+
   malformed(expected: string, found: string): FloorPlanError {
     return new FloorPlanError(
       'input/malformed',
@@ -158,29 +176,22 @@ export class GltfJson {
     };
   }
 
-  /** Checks that all values lie within the view, and the view within the length its buffer states. */
+  /** Checks that all values lie within the view. */
   #block(json: JsonObject, { where, count, components }: BlockShape): ValueBlock {
     const type = COMPONENT_TYPES[Number(json.componentType)];
     if (!type) throw this.malformed(`a component type at ${where}`, String(json.componentType));
     const view = this.item('bufferViews', json.bufferView, where);
     const from = `bufferViews[${json.bufferView}]`;
-    const buffer = this.count(view.buffer, `${from}.buffer`);
-    const length = this.count(this.item('buffers', buffer, from).byteLength, `buffers[${buffer}].byteLength`);
-    const begin = this.count(view.byteOffset, `${from}.byteOffset`, 0);
-    const end = begin + this.count(view.byteLength, `${from}.byteLength`);
-    if (end > length)
-      throw this.malformed(`${from} within the ${length} bytes of its buffer`, `its end at ${end}`);
+    const range = this.range(json.bufferView, where);
+    const { packing } = range;
+    const length = packing ? packing.count * packing.stride : range.end - range.begin;
     const size = components * NUMBER_BYTES[type];
     const stride = this.count(view.byteStride, `${from}.byteStride`, size);
     const offset = this.count(json.byteOffset, `${where}.byteOffset`, 0);
     const needed = count === 0 ? 0 : offset + (count - 1) * stride + size;
-    if (stride < size || begin + needed > end) {
-      throw this.malformed(
-        `${count} values of ${size} bytes at ${where} within ${from}`,
-        `${end - begin} bytes`,
-      );
-    }
-    return { range: { buffer, begin, end }, type, offset, stride };
+    if (stride < size || needed > length)
+      throw this.malformed(`${count} values of ${size} bytes at ${where} within ${from}`, `${length} bytes`);
+    return { range, type, offset, stride };
   }
 }
 

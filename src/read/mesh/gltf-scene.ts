@@ -1,3 +1,4 @@
+import { rotationOf } from '../pose.ts';
 import type { GltfJson, JsonObject } from './gltf-json.ts';
 
 /** Column-major 4 × 4. */
@@ -48,10 +49,11 @@ function matrixOf(gltf: GltfJson, node: JsonObject, where: string): Matrix {
   const [tx, ty, tz] = numbers(gltf, node.translation ?? [0, 0, 0], 3, `${where}.translation`);
   const [x, y, z, w] = numbers(gltf, node.rotation ?? [0, 0, 0, 1], 4, `${where}.rotation`);
   const [sx, sy, sz] = numbers(gltf, node.scale ?? [1, 1, 1], 3, `${where}.scale`);
+  const r = rotationOf(w, x, y, z);
   return [
-    ...[sx * (1 - 2 * (y * y + z * z)), sx * 2 * (x * y + z * w), sx * 2 * (x * z - y * w), 0],
-    ...[sy * 2 * (x * y - z * w), sy * (1 - 2 * (x * x + z * z)), sy * 2 * (y * z + x * w), 0],
-    ...[sz * 2 * (x * z + y * w), sz * 2 * (y * z - x * w), sz * (1 - 2 * (x * x + y * y)), 0],
+    ...[sx * r[0], sx * r[3], sx * r[6], 0],
+    ...[sy * r[1], sy * r[4], sy * r[7], 0],
+    ...[sz * r[2], sz * r[5], sz * r[8], 0],
     ...[tx, ty, tz, 1],
   ];
 }

@@ -8,7 +8,7 @@ const JSON_MODEL = /^(\xef\xbb\xbf)?\s*\{[\s\S]*"(asset|accessors|bufferViews|me
 export const GLTF_FORMAT: ReadFormat = {
   label: 'GLB',
   extensions: ['glb', 'gltf'],
-  doc: 'glTF 2.0 model, with its data inside: triangles are sampled to the working resolution; metres. Not compressed with Draco or meshopt.',
+  doc: 'glTF 2.0 model, with its data inside: triangles are sampled to the working resolution; metres. Packed by Draco or meshopt too.',
   detect: (head) => isGlb(head) || (isText(head) && JSON_MODEL.test(latin1(head))),
   open: async (source) => (await import('./gltf-reader.ts')).openGltf(source),
 };

@@ -1,8 +1,8 @@
 import type { PointChunk } from '../cloud-reader.ts';
+import { CHUNK_POINTS } from '../point-buffer.ts';
 import { FARTHEST, isPlace } from '../thin/thinning.ts';
 import type { Mesh } from './mesh.ts';
 
-const CHUNK_POINTS = 1 << 15;
 /** Farther than so many steps from the lattice's 0 steps cannot be counted; only a broken mesh is so far apart. */
 const MOST_STEPS = 2 ** 50;
 /**

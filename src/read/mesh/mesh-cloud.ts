@@ -17,8 +17,9 @@ const MOST_SAMPLES = 2.5e8;
 const SAMPLES_PER_POINT = 64;
 /** Samples farther apart than so many cells are of no building in its right unit: a coarse whole shows that as well. */
 const LOST_SPACINGS = 4;
-/** For a rough whole too: its rows may outnumber its points by far. */
 const COARSE_SAMPLES = 2e7;
+/** Of a rough whole, whose rows outnumber its points by far where triangles are slivers: those of 10 M triangles fit. */
+const ROUGH_SAMPLES = 5e6;
 /** Samples a cell's edge: a surface that crosses a cell leaves a point in it. */
 const SAMPLES_PER_SPACING = 2;
 /** After so many chunks other work gets a turn, such as a request to cancel. */
@@ -45,8 +46,9 @@ export function meshCloud({ source, unit, up, warnings = [], load }: MeshSource)
     ...(up && { up }),
     warnings,
     async *chunks(progress, spacing, budget = Infinity) {
+      const isFirst = loading === undefined;
       loading ??= load(progress).then((mesh) => loaded(source.name, mesh));
-      yield* samplesOf(await loading, { source, warnings, progress, spacing, budget });
+      yield* samplesOf(await loading, { source, warnings, progress, isFirst, spacing, budget });
     },
   };
 }
@@ -60,6 +62,8 @@ interface Sampling {
   readonly source: ByteSource;
   readonly warnings: Warning[];
   readonly progress: ReadProgress;
+  /** Whether the bytes were read for it. */
+  readonly isFirst: boolean;
   /** 0: a rough whole. */
   readonly spacing: number;
   /** Points kept at most. */
@@ -67,19 +71,22 @@ interface Sampling {
 }
 
 async function* samplesOf({ mesh, size }: LoadedMesh, sampling: Sampling): AsyncGenerator<PointChunk> {
-  const { source, progress, spacing } = sampling;
+  const { source, progress, isFirst, spacing } = sampling;
   const step = stepOf(size, sampling);
   if (spacing > 0) sampling.warnings.splice(0, Infinity, ...warningsOf(sampling, size, step));
   let chunks = 0;
+  let points = 0;
   for (const chunk of sampleMesh(mesh, { step, isEveryTriangleSeen: spacing > 0 })) {
-    if (source.size !== undefined) progress(source.size);
+    points += chunk.count;
+    const share = isFirst ? 1 : Math.min(1, (points * step ** 2) / size.area);
+    if (source.size !== undefined) progress(share * source.size);
     yield chunk;
     if (++chunks % CHUNKS_A_TURN === 0) await source.slice(0, 1);
   }
 }
 
 function stepOf(size: MeshSize, { spacing, budget }: Sampling): number {
-  if (spacing === 0) return Math.max(Math.sqrt(size.area / ROUGH_POINTS), finestStep(size, COARSE_SAMPLES));
+  if (spacing === 0) return Math.max(Math.sqrt(size.area / ROUGH_POINTS), finestStep(size, ROUGH_SAMPLES));
   const isLost = finestStep(size, MOST_SAMPLES) > LOST_SPACINGS * spacing;
   const most = Math.min(isLost ? COARSE_SAMPLES : MOST_SAMPLES, SAMPLES_PER_POINT * budget);
   return Math.max(spacing / SAMPLES_PER_SPACING, finestStep(size, most));

@@ -1,10 +1,10 @@
 import { joinBytes } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { ReadProgress } from '../cloud-reader.ts';
-import { CARRIAGE_RETURN, LINE_FEED, lineBlocks } from '../text/line-blocks.ts';
+import { BLANK, lineEnd, nextLine } from '../text/characters.ts';
+import { lineBlocks } from '../text/line-blocks.ts';
 
 const BACKSLASH = 92;
-const BLANK = 32;
 
 /** A line without its end, those that go on after a backslash joined. */
 export type ReadLine = (bytes: Uint8Array, begin: number, end: number, line: number) => void;
@@ -16,9 +16,7 @@ export async function readLines(source: ByteSource, read: ReadLine, progress: Re
   for await (const { bytes } of lineBlocks(source, 0, progress)) {
     let begin = 0;
     while (begin < bytes.length) {
-      let end = begin;
-      while (bytes[end] !== LINE_FEED && bytes[end] !== CARRIAGE_RETURN) end++;
-      const next = bytes[end] === CARRIAGE_RETURN && bytes[end + 1] === LINE_FEED ? end + 2 : end + 1;
+      const end = lineEnd(bytes, begin);
       line++;
       if (bytes[end - 1] === BACKSLASH && end > begin) {
         pending = join(pending, bytes.subarray(begin, end));
@@ -30,7 +28,7 @@ export async function readLines(source: ByteSource, read: ReadLine, progress: Re
       } else {
         read(bytes, begin, end, line);
       }
-      begin = next;
+      begin = nextLine(bytes, end);
     }
   }
   if (pending) read(pending, 0, pending.length, line);

@@ -2,6 +2,7 @@ import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, ReadProgress } from '../cloud-reader.ts';
 import { latin1 } from '../signatures.ts';
+import { isBlank, skipBlanks } from '../text/characters.ts';
 import { NumberScanner, parseNumber } from '../text/scan-number.ts';
 import { type Mesh, MeshBuilder } from './mesh.ts';
 import { meshCloud } from './mesh-cloud.ts';
@@ -9,8 +10,6 @@ import { readLines } from './obj-lines.ts';
 
 const SMALL_V = 118;
 const SMALL_F = 102;
-const BLANK = 32;
-const TAB = 9;
 const HASH = 35;
 /** x y z and, after them, w or r g b or both. */
 const MOST_VALUES = 7;
@@ -44,7 +43,7 @@ class ObjReader {
   }
 
   read(bytes: Uint8Array, begin: number, end: number, line: number): void {
-    const at = skipBlanks(bytes, begin, end);
+    const at = skipBlanks(bytes, begin);
     if (at + 1 >= end || !isBlank(bytes[at + 1])) return;
     if (bytes[at] === SMALL_V) this.#readVertex({ bytes, end, line }, at + 2);
     else if (bytes[at] === SMALL_F) this.#readFace({ bytes, end, line }, at + 2);
@@ -59,10 +58,10 @@ class ObjReader {
   #readVertex(place: Line, begin: number): void {
     const values = this.#values;
     let count = 0;
-    let at = skipBlanks(place.bytes, begin, place.end);
+    let at = skipBlanks(place.bytes, begin);
     while (at < place.end && count < MOST_VALUES && place.bytes[at] !== HASH) {
       values[count++] = this.#number(place, at);
-      at = skipBlanks(place.bytes, fieldEnd(place.bytes, at, place.end), place.end);
+      at = skipBlanks(place.bytes, fieldEnd(place.bytes, at, place.end));
     }
     if (count < 3) throw this.#malformed(place, begin, 'a vertex of three numbers');
     this.#builder.addVertex(values[0], values[1], values[2]);
@@ -76,10 +75,10 @@ class ObjReader {
   #readFace(place: Line, begin: number): void {
     this.#faces++;
     this.#corners.length = 0;
-    let at = skipBlanks(place.bytes, begin, place.end);
+    let at = skipBlanks(place.bytes, begin);
     while (at < place.end && place.bytes[at] !== HASH) {
       this.#corners.push(this.#corner(place, at));
-      at = skipBlanks(place.bytes, fieldEnd(place.bytes, at, place.end), place.end);
+      at = skipBlanks(place.bytes, fieldEnd(place.bytes, at, place.end));
     }
     this.#builder.addPolygon(this.#corners);
   }
@@ -119,16 +118,6 @@ interface Line {
   readonly bytes: Uint8Array;
   readonly end: number;
   readonly line: number;
-}
-
-function isBlank(byte: number): boolean {
-  return byte === BLANK || byte === TAB;
-}
-
-function skipBlanks(bytes: Uint8Array, begin: number, end: number): number {
-  let at = begin;
-  while (at < end && isBlank(bytes[at])) at++;
-  return at;
 }
 
 function fieldEnd(bytes: Uint8Array, begin: number, end: number): number {

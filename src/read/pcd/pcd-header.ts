@@ -1,9 +1,10 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import type { Vec3 } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { cutOff } from '../cut-off.ts';
 import type { NumberType } from '../records.ts';
 import { latin1 } from '../signatures.ts';
-import { LINE_FEED } from '../text/line-blocks.ts';
+import { LINE_FEED } from '../text/characters.ts';
 
 const ENCODINGS = ['ascii', 'binary', 'binary_compressed'] as const;
 
@@ -54,11 +55,8 @@ export async function readPcdHeader(source: ByteSource): Promise<PcdHeader> {
     if (key.toUpperCase() !== 'DATA') continue;
     return headerOf({ name: source.name, entries }, Math.min(begin, head.length), line + 1);
   }
-  throw new FloorPlanError(
-    'input/truncated',
-    `${source.name}: expected the PCD header to end with DATA, found no such line in ${head.length} bytes`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { offset: head.length } },
-  );
+  const found = `no such line in ${head.length} bytes`;
+  throw cutOff(source.name, 'the PCD header to end with DATA', found, { offset: head.length });
 }
 
 /** A line: its first word is the key. */

@@ -1,12 +1,16 @@
+import { countOf } from '../../core/count-words.ts';
 import { FloorPlanError } from '../../core/errors.ts';
+import type { Warning } from '../../core/types.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { viewOf } from '../bytes/view-of.ts';
 import type { OpenCloud, PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { goOnWith, isWorthReading, tooFewBytes } from '../cut-off.ts';
 import { columnsOfFields } from '../field-names.ts';
-import { BLUE, type ColourRange, PointBuffer, RED, Z } from '../point-buffer.ts';
+import { BLUE, bufferFor, type ColourRange, type PointBuffer, RED, Z } from '../point-buffer.ts';
 import { decodeRecords, type RecordField, readRecords } from '../records.ts';
-import { BLANK } from '../text/row-parser.ts';
-import { type PackedColour, readTextPoints } from '../text/text-points.ts';
+import { BLANK } from '../text/characters.ts';
+import { type PackedColour, readTextPoints, type TextPoints } from '../text/text-points.ts';
 import { inflateLzf, mostInflated } from './lzf.ts';
 import { type PcdField, type PcdHeader, readPcdHeader } from './pcd-header.ts';
 
@@ -25,6 +29,7 @@ interface Pcd {
   readonly packed: number;
   /** Bytes of a point. */
   readonly stride: number;
+  readonly warnings: Warning[];
 }
 
 /**
@@ -41,7 +46,8 @@ export async function openPcd(source: ByteSource): Promise<OpenCloud> {
   );
   const columns = columnsOfFields(names);
   const stride = header.fields.reduce((bytes, { size, count }) => bytes + size * count, 0);
-  const pcd: Pcd = { source, header, columns, packed, stride };
+  const warnings: Warning[] = [];
+  const pcd: Pcd = { source, header, columns, packed, stride, warnings };
   assertPoints(pcd);
   return {
     isSlice: false,
@@ -49,7 +55,7 @@ export async function openPcd(source: ByteSource): Promise<OpenCloud> {
     ...(header.viewpoint && { stations: [header.viewpoint] }),
     ...(header.isGrid && { hasEmptyPlaces: true }),
     chunks: (progress) => chunksOf(pcd, progress),
-    warnings: [],
+    warnings,
   };
 }
 
@@ -59,7 +65,7 @@ function chunksOf(pcd: Pcd, progress: ReadProgress): AsyncIterable<PointChunk> {
   return encoding === 'binary' ? readBinary(pcd, progress) : readCompressed(pcd, progress);
 }
 
-function textPoints({ header, columns, packed }: Pcd) {
+function textPoints({ header, columns, packed, warnings }: Pcd): TextPoints {
   const targets: number[] = header.fields.flatMap(({ count }, index) => {
     const field =
       index === packed ? RED : isColour(columns.indexOf(index)) && packed >= 0 ? -1 : columns.indexOf(index);
@@ -72,6 +78,7 @@ function textPoints({ header, columns, packed }: Pcd) {
     line: header.bodyLine,
     rows: header.points,
     colourRange: colourRange(header, columns, packed),
+    warnings,
     ...(packed >= 0 && { packedColour: packedColour(header.fields[packed]) }),
   };
 }
@@ -108,25 +115,20 @@ function recordFields({ header, columns, packed }: Pcd): (RecordField & { readon
   });
 }
 
-function bufferFor({ header, columns, packed }: Pcd, fields: readonly RecordField[]): PointBuffer {
-  const has = (field: number) => fields.some((present) => present.field === field);
-  return new PointBuffer(has, colourRange(header, columns, packed));
+function bufferOf({ header, columns, packed }: Pcd, fields: readonly RecordField[]): PointBuffer {
+  return bufferFor(fields, colourRange(header, columns, packed));
 }
 
 async function* readBinary(pcd: Pcd, progress: ReadProgress): AsyncGenerator<PointChunk> {
   const cursor = new ByteCursor(pcd.source.stream(), progress);
   const fields = recordFields(pcd);
-  const truncated = () => cutOff(pcd, cursor);
+  const count = pcd.header.points;
+  const endEarly = (found: number) =>
+    goOnWith({ found, announced: count }, cutOff(pcd, cursor), pcd.warnings);
   try {
-    if (!(await cursor.skip(pcd.header.bodyBegin))) throw truncated();
+    if (!(await cursor.skip(pcd.header.bodyBegin))) endEarly(0);
     const layout = { fields, stride: pcd.stride, isLittleEndian: true };
-    yield* readRecords({
-      cursor,
-      layout,
-      count: pcd.header.points,
-      buffer: bufferFor(pcd, fields),
-      truncated,
-    });
+    yield* readRecords({ cursor, layout, count, buffer: bufferOf(pcd, fields), endEarly });
   } finally {
     await cursor.close();
   }
@@ -147,7 +149,7 @@ async function* readCompressed(pcd: Pcd, progress: ReadProgress): AsyncGenerator
     const inValue = field.index === pcd.packed ? BLUE - field.field : 0;
     return { ...field, stride: size * count, offset: blocks[field.index] + inValue };
   });
-  const buffer = bufferFor(pcd, fields);
+  const buffer = bufferOf(pcd, fields);
   for (let first = 0; first < points; ) {
     const count = Math.min(buffer.free, points - first);
     const moved = fields.map((field) => ({ ...field, offset: field.offset + first * field.stride }));
@@ -163,7 +165,7 @@ async function inflateBody(pcd: Pcd, progress: ReadProgress): Promise<Uint8Array
   try {
     if (!(await cursor.skip(header.bodyBegin)) || !(await cursor.fill(SIZES_BYTES)))
       throw cutOff(pcd, cursor);
-    const view = new DataView(cursor.bytes.buffer, cursor.bytes.byteOffset + cursor.position);
+    const view = viewOf(cursor.bytes, cursor.position);
     const [packedBytes, bytes] = [view.getUint32(0, true), view.getUint32(4, true)];
     cursor.position += SIZES_BYTES;
     assertSizes(pcd, packedBytes, bytes);
@@ -172,7 +174,7 @@ async function inflateBody(pcd: Pcd, progress: ReadProgress): Promise<Uint8Array
     if (written === bytes) return body;
     throw malformedBody(
       pcd,
-      `LZF data of ${bytes} bytes (${header.points} points of ${stride})`,
+      `LZF data of ${bytes} bytes (${countOf(header.points, 'point')} of ${stride})`,
       `${written} good bytes`,
     );
   } finally {
@@ -183,7 +185,7 @@ async function inflateBody(pcd: Pcd, progress: ReadProgress): Promise<Uint8Array
 function assertSizes(pcd: Pcd, packedBytes: number, bytes: number): void {
   const { source, header, stride } = pcd;
   if (bytes !== header.points * stride) {
-    const expected = `${header.points * stride} bytes in the compressed body, ${header.points} points of ${stride}`;
+    const expected = `${header.points * stride} bytes in the compressed body, ${countOf(header.points, 'point')} of ${stride}`;
     throw malformedBody(pcd, expected, `${bytes}`);
   }
   if (bytes > mostInflated(packedBytes)) {
@@ -194,7 +196,8 @@ function assertSizes(pcd: Pcd, packedBytes: number, bytes: number): void {
     );
   }
   const needed = header.bodyBegin + SIZES_BYTES + packedBytes;
-  if (source.size !== undefined && needed > source.size) throw tooShort(pcd, needed, source.size);
+  if (source.size !== undefined && needed > source.size)
+    throw tooFewBytes(source.name, { count: header.points, needed }, source.size);
 }
 
 function allocate(name: string, bytes: number): Uint8Array {
@@ -228,9 +231,14 @@ function assertPoints(pcd: Pcd): void {
   }
   // A text value takes a digit and a blank.
   const values = fields.reduce((sum, { count }) => sum + count, 0);
-  const least = { ascii: 2 * values * points - 1, binary: stride * points, binary_compressed: SIZES_BYTES };
-  const needed = header.bodyBegin + least[encoding];
-  if (source.size !== undefined && needed > source.size) throw tooShort(pcd, needed, source.size);
+  const least = { ascii: 2 * values, binary: stride, binary_compressed: 0 }[encoding];
+  const before = header.bodyBegin + (encoding === 'binary_compressed' ? SIZES_BYTES : 0);
+  // A text may end without an end of line.
+  const needed = before + least * points - (encoding === 'ascii' ? 1 : 0);
+  const { size = Infinity } = source;
+  const found = Math.floor((size - before) / least);
+  if (needed > size && !isWorthReading({ found, announced: points }))
+    throw tooFewBytes(source.name, { count: points, needed }, size);
   const inflated = stride * points;
   if (encoding === 'binary_compressed' && inflated > MOST_INFLATED_BYTES)
     throw tooLarge(source.name, inflated);
@@ -256,18 +264,6 @@ function malformedBody({ source, header }: Pcd, expected: string, found: string)
   );
 }
 
-function cutOff(pcd: Pcd, cursor: ByteCursor): FloorPlanError {
-  return tooShort(pcd, undefined, cursor.offset + cursor.available);
-}
-
-function tooShort({ source, header }: Pcd, needed: number | undefined, offset: number): FloorPlanError {
-  const least = needed === undefined ? '' : `, at least ${needed} bytes`;
-  return new FloorPlanError(
-    'input/truncated',
-    `${source.name}: expected ${header.points} points as the header says${least}; found the end of the file at byte ${offset}`,
-    {
-      hint: 'The file seems cut off; copy or export it again.',
-      detail: { offset, announced: header.points, ...(needed !== undefined && { needed }) },
-    },
-  );
+function cutOff({ source, header }: Pcd, cursor: ByteCursor): FloorPlanError {
+  return tooFewBytes(source.name, { count: header.points }, cursor.offset + cursor.available);
 }

@@ -1,8 +1,10 @@
-import { countOf } from '../../core/count-words.ts';
-import { FloorPlanError } from '../../core/errors.ts';
+import type { FloorPlanError } from '../../core/errors.ts';
+import type { Warning } from '../../core/types.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { viewOf } from '../bytes/view-of.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { goOnWith, tooFewBytes } from '../cut-off.ts';
 import { type ColourRange, PointBuffer } from '../point-buffer.ts';
 import { NUMBER_READERS, type RecordField, type RecordStream, readRecords } from '../records.ts';
 import { NUMBER_TYPE_OF, type PlyElement, type PlyProperty, type PlyType, valueBytes } from './ply-header.ts';
@@ -25,6 +27,8 @@ export interface PlyDecoder {
   readonly vertex: PlyElement;
   readonly body: PlyBody;
   readonly name: string;
+  /** Where to say that only what is whole was read; without them nothing but the whole will do. */
+  readonly warnings?: Warning[];
 }
 
 /** Bytes of one record, or null where it has lists and records differ. */
@@ -37,17 +41,22 @@ export function recordBytes({ properties }: PlyElement): number | null {
   return bytes;
 }
 
+export function vertexBuffer({ columns, colourRange }: PlyBody): PointBuffer {
+  return new PointBuffer((field) => columns[field] >= 0, colourRange);
+}
+
 /** Points of a binary PLY. @throws input/truncated, with the byte offset */
 export async function* readBinaryPly(
   source: ByteSource,
   body: PlyBody,
+  warnings: Warning[],
   progress: ReadProgress,
 ): AsyncGenerator<PointChunk> {
   const cursor = new ByteCursor(source.stream(), progress);
   const vertex = body.elements[body.elements.length - 1];
-  const buffer = new PointBuffer((field) => body.columns[field] >= 0, body.colourRange);
+  const buffer = vertexBuffer(body);
   try {
-    yield* readBinaryVertices({ cursor, buffer, vertex, body, name: source.name });
+    yield* readBinaryVertices({ cursor, buffer, vertex, body, name: source.name, warnings });
   } finally {
     await cursor.close();
   }
@@ -73,7 +82,7 @@ function fixedRecords(decoder: PlyDecoder, stride: number): RecordStream {
     offset += valueBytes(type);
   });
   const layout = { fields, stride, isLittleEndian: body.isLittleEndian };
-  return { cursor, layout, count: vertex.count, buffer, truncated: () => truncated(decoder) };
+  return { cursor, layout, count: vertex.count, buffer, endEarly: (found) => endEarly(decoder, found) };
 }
 
 /** Vertices with lists among their properties: value by value, the lists passed over. */
@@ -120,8 +129,7 @@ async function skipList(decoder: PlyDecoder, { type }: PlyProperty, countType: P
 
 /** The cursor holds the value. */
 function takeValue({ cursor, body }: PlyDecoder, type: PlyType): number {
-  const { bytes, position } = cursor;
-  const view = new DataView(bytes.buffer, bytes.byteOffset + position);
+  const view = viewOf(cursor.bytes, cursor.position);
   cursor.position += valueBytes(type);
   return NUMBER_READERS[NUMBER_TYPE_OF[type]](view, 0, body.isLittleEndian);
 }
@@ -134,11 +142,12 @@ async function skipBytes(decoder: PlyDecoder, length: number): Promise<void> {
   if (!(await decoder.cursor.skip(length))) throw truncated(decoder);
 }
 
+function endEarly(decoder: PlyDecoder, found: number): void {
+  const error = truncated(decoder);
+  if (!decoder.warnings) throw error;
+  goOnWith({ found, announced: decoder.vertex.count }, error, decoder.warnings);
+}
+
 function truncated({ cursor, vertex, name }: PlyDecoder): FloorPlanError {
-  const offset = cursor.offset + cursor.available;
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${countOf(vertex.count, 'point')} as the header says, found the end of the file at byte ${offset}`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { offset, announced: vertex.count } },
-  );
+  return tooFewBytes(name, { count: vertex.count }, cursor.offset + cursor.available);
 }

@@ -1,15 +1,15 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteCursor } from '../bytes/byte-cursor.ts';
+import { viewOf } from '../bytes/view-of.ts';
+import { tooFewBytes } from '../cut-off.ts';
 import type { MeshBuilder } from '../mesh/mesh.ts';
 import { NUMBER_READERS } from '../records.ts';
-import { CARRIAGE_RETURN, LINE_FEED } from '../text/line-blocks.ts';
+import { isBlankOrEnd, skipBlanks } from '../text/characters.ts';
 import { NumberScanner } from '../text/scan-number.ts';
 import { NUMBER_TYPE_OF, type PlyElement, type PlyProperty, type PlyType, valueBytes } from './ply-header.ts';
 
 /** A face with more corners, or any list with more items, is a sign of damage. */
 const MOST_ITEMS = 1 << 16;
-const BLANK = 32;
-const TAB = 9;
 
 export interface FaceStream {
   readonly cursor: ByteCursor;
@@ -23,7 +23,7 @@ export interface FaceStream {
 /** Binary faces, one after the other. */
 export class FaceRecords {
   readonly #stream: FaceStream;
-  #view = new DataView(new ArrayBuffer(0));
+  #view: DataView = viewOf(new Uint8Array(0));
   #viewed: Uint8Array | undefined;
   #face = 0;
   readonly #corners: number[] = [];
@@ -78,7 +78,7 @@ export class FaceRecords {
     const { bytes } = this.#stream.cursor;
     if (bytes !== this.#viewed) {
       this.#viewed = bytes;
-      this.#view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+      this.#view = viewOf(bytes);
     }
     return NUMBER_READERS[NUMBER_TYPE_OF[type]](this.#view, position, this.#stream.isLittleEndian);
   }
@@ -86,15 +86,7 @@ export class FaceRecords {
   async #need(bytes: number): Promise<void> {
     const { cursor, faces, name } = this.#stream;
     if (await cursor.fill(bytes)) return;
-    const offset = cursor.offset + cursor.available;
-    throw new FloorPlanError(
-      'input/truncated',
-      `${name}: expected ${faces.count} faces as the header says, found the end of the file at byte ${offset}`,
-      {
-        hint: 'The file seems cut off; copy or export it again.',
-        detail: { offset, announced: faces.count },
-      },
-    );
+    throw tooFewBytes(name, { count: faces.count, what: 'face' }, cursor.offset + cursor.available);
   }
 
   #malformed(expected: string, found: number): FloorPlanError {
@@ -159,9 +151,9 @@ class FaceRow {
   /** Moves past the next field; returns where it began. */
   skip(): number {
     const { bytes } = this.#face;
-    while (isBlank(bytes[this.#at])) this.#at++;
-    const begin = this.#at;
-    while (!isBlank(bytes[this.#at]) && !isLineEnd(bytes[this.#at])) this.#at++;
+    const begin = skipBlanks(bytes, this.#at);
+    this.#at = begin;
+    while (!isBlankOrEnd(bytes[this.#at])) this.#at++;
     return begin;
   }
 
@@ -169,14 +161,6 @@ class FaceRow {
     const { name, line } = this.#face;
     return malformed(`${name}: expected ${expected} in line ${line}, found ${found}`, { line });
   }
-}
-
-function isBlank(byte: number): boolean {
-  return byte === BLANK || byte === TAB;
-}
-
-function isLineEnd(byte: number): boolean {
-  return byte === LINE_FEED || byte === CARRIAGE_RETURN;
 }
 
 function malformed(message: string, detail: Readonly<Record<string, number>>): FloorPlanError {

@@ -1,8 +1,9 @@
 import { FloorPlanError } from '../../core/errors.ts';
 import type { ByteSource } from '../bytes/source.ts';
+import { cutOff } from '../cut-off.ts';
 import { NUMBER_BYTES, type NumberType } from '../records.ts';
 import { latin1 } from '../signatures.ts';
-import { CARRIAGE_RETURN, LINE_FEED } from '../text/line-blocks.ts';
+import { CARRIAGE_RETURN, LINE_FEED } from '../text/characters.ts';
 
 /** What PLY calls its types. */
 export const NUMBER_TYPE_OF = {
@@ -152,9 +153,6 @@ function malformed(name: string, line: number, expected: string, found: string):
 }
 
 function headerCut(name: string, offset: number): FloorPlanError {
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected the PLY header to end with end_header, found no such line in ${offset} bytes`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { offset } },
-  );
+  const found = `no such line in ${offset} bytes`;
+  return cutOff(name, 'the PLY header to end with end_header', found, { offset });
 }

@@ -1,13 +1,18 @@
-import { FloorPlanError } from '../../core/errors.ts';
 import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, ReadProgress } from '../cloud-reader.ts';
+import { tooFewRows } from '../cut-off.ts';
 import { canHoldMesh, type Mesh, MeshBuilder } from '../mesh/mesh.ts';
 import { meshCloud } from '../mesh/mesh-cloud.ts';
-import { PointBuffer } from '../point-buffer.ts';
 import { lineBlocks } from '../text/line-blocks.ts';
 import { type RowLayout, RowParser } from '../text/row-parser.ts';
-import { type PlyBody, type PlyDecoder, readBinaryVertices, skipElement } from './ply-binary.ts';
+import {
+  type PlyBody,
+  type PlyDecoder,
+  readBinaryVertices,
+  skipElement,
+  vertexBuffer,
+} from './ply-binary.ts';
 import { FaceRecords, readTextFace } from './ply-faces.ts';
 import type { PlyElement, PlyHeader } from './ply-header.ts';
 
@@ -36,7 +41,7 @@ async function readBinaryMesh(file: PlyMeshFile, progress: ReadProgress): Promis
   const { source, body, after, list } = file;
   const cursor = new ByteCursor(source.stream(), progress);
   const vertex = body.elements[body.elements.length - 1];
-  const buffer = bufferFor(body);
+  const buffer = vertexBuffer(body);
   const decoder: PlyDecoder = { cursor, buffer, vertex, body, name: source.name };
   const builder = new MeshBuilder(source.name);
   try {
@@ -56,10 +61,6 @@ async function readBinaryMesh(file: PlyMeshFile, progress: ReadProgress): Promis
   return builder.build();
 }
 
-function bufferFor({ columns, colourRange }: PlyBody): PointBuffer {
-  return new PointBuffer((field) => columns[field] >= 0, colourRange);
-}
-
 /** Rows: those before the vertices, the vertices, those between, the faces. */
 async function readTextMesh(file: PlyMeshFile, progress: ReadProgress): Promise<Mesh> {
   const { source, header, body, layout } = file;
@@ -67,7 +68,7 @@ async function readTextMesh(file: PlyMeshFile, progress: ReadProgress): Promise<
   const vertex = body.elements[body.elements.length - 1];
   const faces = elements[elements.length - 1];
   const parser = new RowParser(layout, { name: source.name, line: header.bodyLine });
-  const buffer = bufferFor(body);
+  const buffer = vertexBuffer(body);
   const builder = new MeshBuilder(source.name);
   let element = 0;
   let left = elements[0].count;
@@ -91,15 +92,9 @@ async function readTextMesh(file: PlyMeshFile, progress: ReadProgress): Promise<
       at = parser.seek(bytes, at);
     }
   }
-  if (element < elements.length) throw tooFewRows(source.name, elements[element], left);
+  if (element < elements.length) {
+    const { name, count } = elements[element];
+    throw tooFewRows(source.name, count, count - left, name.slice(0, 20));
+  }
   return builder.build();
-}
-
-function tooFewRows(name: string, { name: element, count }: PlyElement, left: number): FloorPlanError {
-  const found = count - left;
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${count} rows of ${element.slice(0, 20)} as the header says, found ${found} before the end of the file`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { announced: count, found } },
-  );
 }

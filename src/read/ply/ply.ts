@@ -3,10 +3,12 @@ import { FloorPlanError } from '../../core/errors.ts';
 import type { Warning } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, ReadFormat } from '../cloud-reader.ts';
+import { isWorthReading, tooFewBytes } from '../cut-off.ts';
 import { columnsOfFields } from '../field-names.ts';
 import { type ColourRange, RED, Z } from '../point-buffer.ts';
 import { latin1 } from '../signatures.ts';
-import { BLANK, LIST } from '../text/row-parser.ts';
+import { BLANK } from '../text/characters.ts';
+import { LIST } from '../text/row-parser.ts';
 import { readTextPoints } from '../text/text-points.ts';
 import { type PlyBody, readBinaryPly, recordBytes } from './ply-binary.ts';
 import { type PlyElement, type PlyHeader, readPlyHeader, valueBytes, vertexListOf } from './ply-header.ts';
@@ -59,8 +61,8 @@ async function openPly(source: ByteSource): Promise<OpenCloud> {
     pointsAnnounced: vertex.count,
     chunks: (progress) =>
       header.format === 'ascii'
-        ? readTextPoints(source, rows, progress)
-        : readBinaryPly(source, body, progress),
+        ? readTextPoints(source, { ...rows, warnings }, progress)
+        : readBinaryPly(source, body, warnings, progress),
     warnings,
   };
 }
@@ -69,7 +71,7 @@ async function openPly(source: ByteSource): Promise<OpenCloud> {
 function tooManyFaces({ count }: PlyElement): Warning {
   return {
     code: 'read/mesh-vertices-only',
-    message: `The mesh of ${count} faces is too large to be held; its vertices were taken as points.`,
+    message: `The mesh of ${countOf(count, 'face')} is too large to be held; its vertices were taken as points.`,
     hint: 'If walls show gaps, simplify the mesh.',
   };
 }
@@ -115,7 +117,7 @@ function assertPoints(name: string, vertex: PlyElement | undefined, columns: rea
   );
 }
 
-/** Where the size is known, a header that promises more than the file holds is caught before anything is read. */
+/** Where the size is known, a header that promises far more than the file holds is caught before anything is read. */
 function assertLongEnough(
   { name, size }: ByteSource,
   header: PlyHeader,
@@ -126,15 +128,11 @@ function assertLongEnough(
   for (const element of elements) needed += element.count * leastBytes(header, element);
   if (header.format === 'ascii') needed -= 1;
   if (needed <= size) return;
-  const { count, name: what } = elements[elements.length - 1];
-  throw new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${countOf(count, what === 'vertex' ? 'point' : 'face')} as the header says, at least ${needed} bytes; found the end of the file at byte ${size}`,
-    {
-      hint: 'The file seems cut off; copy or export it again.',
-      detail: { offset: size, needed, announced: count },
-    },
-  );
+  const last = elements[elements.length - 1];
+  const { count, name: what } = last;
+  const found = Math.floor(count - (needed - size) / leastBytes(header, last));
+  if (what === 'vertex' && isWorthReading({ found, announced: count })) return;
+  throw tooFewBytes(name, { count, what: what === 'vertex' ? 'point' : 'face', needed }, size);
 }
 
 /** A text value takes a digit and a blank, a list its length. */

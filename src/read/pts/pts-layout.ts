@@ -1,6 +1,7 @@
 import { BLUE, INTENSITY, RED, X, Z } from '../point-buffer.ts';
+import { BLANK } from '../text/characters.ts';
 import { splitLines, wholeLines } from '../text/line-blocks.ts';
-import { BLANK, type RowLayout } from '../text/row-parser.ts';
+import type { RowLayout } from '../text/row-parser.ts';
 import { parseNumber } from '../text/scan-number.ts';
 
 /** Rows looked at to tell the columns; later rows must keep to them. */

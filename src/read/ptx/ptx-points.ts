@@ -1,40 +1,49 @@
 import { FloorPlanError } from '../../core/errors.ts';
-import type { Vec3 } from '../../core/types.ts';
+import type { Vec3, Warning } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { cutOff, goOnWith, tooFewRows } from '../cut-off.ts';
 import { BLUE, CHUNK_POINTS, INTENSITY, PointBuffer, RED, X, Z } from '../point-buffer.ts';
 import { applyPose, MOST_STATIONS } from '../pose.ts';
-import { lineBlocks } from '../text/line-blocks.ts';
-import { BLANK, type RowLayout, RowParser, TAB } from '../text/row-parser.ts';
+import { BLANK, skipBlanks } from '../text/characters.ts';
+import { LastRow } from '../text/last-row.ts';
+import { type LineBlock, lineBlocks } from '../text/line-blocks.ts';
+import { type RowLayout, RowParser } from '../text/row-parser.ts';
 import { NumberScanner } from '../text/scan-number.ts';
-import { tooFewRows } from '../text/text-points.ts';
 import { HEADER_LINES, PtxFault, type PtxHeader, parsePtxHeader } from './ptx-header.ts';
 
 const ZERO = 48;
 const SHOWN_CHARACTERS = 40;
 const COLOURS = [RED, RED + 1, BLUE];
 
+export interface PtxPoints {
+  /** Emptied, then filled with the scanners' places. */
+  readonly stations: Vec3[];
+  readonly warnings: Warning[];
+}
+
 /**
  * Points of all scans, each in its place; rows of zeros, where no ray came back, are passed over.
  *
- * @param stations emptied, then filled with the scanners' places
  * @throws input/malformed, input/truncated, input/too-large
  */
 export async function* readPtxPoints(
   source: ByteSource,
-  stations: Vec3[],
+  { stations, warnings }: PtxPoints,
   progress: ReadProgress,
 ): AsyncGenerator<PointChunk> {
   const reader = new PtxReader(source.name, stations);
-  for await (const { bytes, isCut } of lineBlocks(source, 0, progress)) {
+  for await (const block of lineBlocks(source, 0, progress)) {
     let at = 0;
-    while (at < bytes.length) {
-      at = reader.read(bytes, at, isCut);
+    while (at < block.bytes.length) {
+      at = reader.read(block, at);
       const chunk = reader.take();
       if (chunk) yield chunk;
     }
   }
-  reader.end();
+  reader.end(warnings);
+  const rest = reader.take();
+  if (rest) yield rest;
 }
 
 /** Reads lines one by one and knows whether the next belongs to a header or to points. */
@@ -49,6 +58,9 @@ class PtxReader {
   /** Rows of the scan that are still to come. */
   #left = 0;
   #parser: RowParser;
+  /** Rows announced by all scans so far. */
+  #announced = 0;
+  readonly #last = new LastRow();
   /** Whether the scan's columns are known. */
   #isLaidOut = false;
   #buffer: PointBuffer | null = null;
@@ -61,10 +73,11 @@ class PtxReader {
   }
 
   /** Reads lines from `begin` until points are to be taken or the lines end, and returns where. */
-  read(bytes: Uint8Array, begin: number, isCut: boolean): number {
+  read(block: LineBlock, begin: number): number {
+    const { bytes } = block;
     let at = this.#parser.seek(bytes, begin);
     while (at < bytes.length && !this.#isDue()) {
-      at = this.#left > 0 ? this.#readRow(bytes, at, isCut) : this.#readHeaderLine(bytes, at);
+      at = this.#left > 0 ? this.#readRow(block, at) : this.#readHeaderLine(bytes, at);
       at = this.#parser.seek(bytes, at);
     }
     return at;
@@ -78,11 +91,17 @@ class PtxReader {
     return { ...chunk, station: this.#station };
   }
 
-  /** @throws input/truncated, where the file ended too soon */
-  end(): void {
+  /** Says where the file ended too soon. @throws input/truncated, where little is whole */
+  end(warnings: Warning[]): void {
     const { count } = this.#header;
-    if (this.#left > 0) throw tooFewRows(this.#name, count, count - this.#left);
-    if (this.#headerLines.length > 0) throw headerCut(this.#name, this.#parser.line);
+    const left = this.#left;
+    const isShort = left > 0 || this.#headerLines.length > 0;
+    if (!isShort) return;
+    const few =
+      left > 0 ? tooFewRows(this.#name, count, count - left) : headerCut(this.#name, this.#parser.line);
+    const announced = this.#announced;
+    goOnWith({ found: announced - left, announced }, this.#last.fault ?? few, warnings);
+    this.#left = 0;
   }
 
   #isDue(): boolean {
@@ -106,17 +125,22 @@ class PtxReader {
     this.#headerLines = [];
     this.#header = header;
     this.#left = header.count;
+    this.#announced += header.count;
     this.#isLaidOut = false;
     if (this.#stations.length === MOST_STATIONS) throw tooManyScans(this.#name);
     this.#station.fill(this.#stations.length);
     this.#stations.push(header.pose.translation);
   }
 
-  #readRow(bytes: Uint8Array, begin: number, isCut: boolean): number {
+  #readRow(block: LineBlock, begin: number): number {
+    const { bytes } = block;
+    const isNoReturn = this.#isNoReturn(bytes, begin);
+    if (!isNoReturn && !this.#isLaidOut) this.#layOut(bytes, begin);
+    const isWhole = isNoReturn && this.#left === 1;
+    if (!isWhole && this.#last.isCut(block, begin, this.#left, this.#parser)) return bytes.length;
     this.#left--;
-    if (this.#isNoReturn(bytes, begin)) return this.#parser.skipLine(bytes, begin);
-    if (!this.#isLaidOut) this.#layOut(bytes, begin);
-    const end = this.#parser.read(bytes, begin, isCut);
+    if (isNoReturn) return this.#parser.skipLine(bytes, begin);
+    const end = this.#parser.read(bytes, begin, false);
     const { values } = this.#parser;
     // Zeros spelt otherwise: -0, .0
     if (values[X] !== 0 || values[X + 1] !== 0 || values[Z] !== 0) this.#buffer?.push(values);
@@ -155,12 +179,6 @@ function layoutOf(columns: number): RowLayout {
   return { separator: BLANK, targets: Int8Array.from(columns > 3 ? [...place, INTENSITY] : place) };
 }
 
-function skipBlanks(bytes: Uint8Array, begin: number): number {
-  let at = begin;
-  while (bytes[at] === BLANK || bytes[at] === TAB) at++;
-  return at;
-}
-
 function malformedHeader(name: string, { line, expected }: PtxFault, first: number, found: string) {
   const shown = found.slice(0, SHOWN_CHARACTERS);
   return new FloorPlanError(
@@ -174,11 +192,8 @@ function malformedHeader(name: string, { line, expected }: PtxFault, first: numb
 }
 
 function headerCut(name: string, line: number) {
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${HEADER_LINES} lines of a PTX header, found the end of the file before line ${line}`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { line } },
-  );
+  const found = `the end of the file before line ${line}`;
+  return cutOff(name, `${HEADER_LINES} lines of a PTX header`, found, { line });
 }
 
 function tooManyScans(name: string) {

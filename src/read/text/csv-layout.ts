@@ -1,7 +1,8 @@
 import { columnsOfFields } from '../field-names.ts';
 import { BLUE, INTENSITY, RED, Z } from '../point-buffer.ts';
+import { BLANK, COMMA, TAB } from './characters.ts';
 import { splitLines } from './line-blocks.ts';
-import { BLANK, COMMA, type RowLayout, SKIP, TAB } from './row-parser.ts';
+import { type RowLayout, SKIP } from './row-parser.ts';
 import { parseNumber } from './scan-number.ts';
 
 const SEMICOLON = 59;

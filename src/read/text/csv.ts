@@ -1,4 +1,5 @@
 import { FloorPlanError } from '../../core/errors.ts';
+import type { Warning } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { OpenCloud, ReadFormat } from '../cloud-reader.ts';
 import { HEAD_BYTES, isText, recogniseForeign } from '../signatures.ts';
@@ -29,11 +30,12 @@ async function openCsv(source: ByteSource): Promise<OpenCloud> {
     layOutCsv(wholeLines(short)) ??
     layOutCsv(wholeLines(await source.slice(0, LONG_HEAD_BYTES), LONG_HEAD_BYTES));
   if (!layout) throw noTable(source, short);
-  const begin = layout.begin;
+  const { begin, line } = layout;
+  const warnings: Warning[] = [];
   return {
     isSlice: layout.isSlice,
-    chunks: (progress) => readTextPoints(source, { layout, begin, line: layout.line }, progress),
-    warnings: [],
+    chunks: (progress) => readTextPoints(source, { layout, begin, line, warnings }, progress),
+    warnings,
   };
 }
 

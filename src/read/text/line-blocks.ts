@@ -2,9 +2,7 @@ import { FloorPlanError } from '../../core/errors.ts';
 import { ByteCursor, joinBytes } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import { HEAD_BYTES } from '../signatures.ts';
-
-export const LINE_FEED = 10;
-export const CARRIAGE_RETURN = 13;
+import { CARRIAGE_RETURN, isLineEnd, LINE_FEED, lineEnd, nextLine } from './characters.ts';
 
 /** No table of points has longer lines; a file of other bytes would be read to its end for one. */
 const MAX_LINE_BYTES = 1 << 20;
@@ -51,8 +49,7 @@ function endOfLines(bytes: Uint8Array): number {
 }
 
 function lastLines(rest: Uint8Array): LineBlock {
-  const end = rest[rest.length - 1];
-  if (end === LINE_FEED || end === CARRIAGE_RETURN) return { bytes: rest, isCut: false };
+  if (isLineEnd(rest[rest.length - 1])) return { bytes: rest, isCut: false };
   return { bytes: joinBytes([rest, Uint8Array.of(LINE_FEED)], rest.length + 1), isCut: true };
 }
 
@@ -68,10 +65,9 @@ function lineTooLong(name: string, offset: number): FloorPlanError {
 export function* splitLines(bytes: Uint8Array): Generator<readonly [begin: number, end: number]> {
   let begin = 0;
   while (begin < bytes.length) {
-    let end = begin;
-    while (end < bytes.length && bytes[end] !== LINE_FEED && bytes[end] !== CARRIAGE_RETURN) end++;
+    const end = lineEnd(bytes, begin);
     yield [begin, end];
-    begin = bytes[end] === CARRIAGE_RETURN && bytes[end + 1] === LINE_FEED ? end + 2 : end + 1;
+    begin = nextLine(bytes, end);
   }
 }
 

@@ -1,12 +1,9 @@
 import { FloorPlanError } from '../../core/errors.ts';
+import { cutOff } from '../cut-off.ts';
 import { FIELDS } from '../point-buffer.ts';
-import { CARRIAGE_RETURN, LINE_FEED } from './line-blocks.ts';
+import { BLANK, COMMA, isBlankOrEnd, isLineEnd, lineEnd, nextLine, skipBlanks } from './characters.ts';
 import { NumberScanner, parseNumber } from './scan-number.ts';
 
-/** As a separator: any run of blanks and tabs. */
-export const BLANK = 32;
-export const TAB = 9;
-export const COMMA = 44;
 const QUOTE = 34;
 const HASH = 35;
 const PERCENT = 37;
@@ -21,6 +18,7 @@ export const LIST = -2;
 const SHOWN_CHARACTERS = 40;
 
 export interface RowLayout {
+  /** A blank: any run of blanks and tabs. */
   readonly separator: number;
   /** For each column up to the last one needed: a field's number, {@link SKIP} or {@link LIST}. */
   readonly targets: Int8Array;
@@ -68,11 +66,8 @@ export class RowParser {
 
   /** Moves past the end of the line. */
   skipLine(bytes: Uint8Array, begin: number): number {
-    let at = begin;
-    while (!isLineEnd(bytes[at])) at++;
-    if (bytes[at] === CARRIAGE_RETURN && bytes[at + 1] === LINE_FEED) at++;
     this.line++;
-    return at + 1;
+    return nextLine(bytes, lineEnd(bytes, begin));
   }
 
   /**
@@ -161,29 +156,13 @@ export class RowParser {
   }
 
   #tooShort(column: number, isCut: boolean): FloorPlanError {
-    const expected = this.#targets.length;
-    return new FloorPlanError(
-      isCut ? 'input/truncated' : 'input/malformed',
-      `${this.#name}: expected ${expected} columns in line ${this.line}, found ${column}`,
-      {
-        hint: isCut ? 'The file seems cut off; copy it again.' : 'Check that every row has the same columns.',
-        detail: { line: this.line, column },
-      },
-    );
+    const expected = `${this.#targets.length} columns in line ${this.line}`;
+    const detail = { line: this.line, column };
+    if (isCut) return cutOff(this.#name, expected, `${column}`, detail);
+    const message = `${this.#name}: expected ${expected}, found ${column}`;
+    return new FloorPlanError('input/malformed', message, {
+      hint: 'Check that every row has the same columns.',
+      detail,
+    });
   }
-}
-
-function isLineEnd(byte: number): boolean {
-  return byte === LINE_FEED || byte === CARRIAGE_RETURN;
-}
-
-function isBlankOrEnd(byte: number): boolean {
-  return byte === BLANK || byte === TAB || isLineEnd(byte);
-}
-
-/** Moves past blanks, and tabs unless they separate. */
-function skipBlanks(bytes: Uint8Array, begin: number, separator = BLANK): number {
-  let at = begin;
-  while (bytes[at] === BLANK || (bytes[at] === TAB && separator !== TAB)) at++;
-  return at;
 }

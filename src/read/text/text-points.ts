@@ -1,8 +1,9 @@
-import { countOf } from '../../core/count-words.ts';
-import { FloorPlanError } from '../../core/errors.ts';
+import type { Warning } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
+import { goOnWith, tooFewRows } from '../cut-off.ts';
 import { BLUE, type ColourRange, PointBuffer, RED } from '../point-buffer.ts';
+import { LastRow } from './last-row.ts';
 import { lineBlocks } from './line-blocks.ts';
 import { type RowLayout, RowParser } from './row-parser.ts';
 
@@ -23,47 +24,48 @@ export interface TextPoints {
   readonly colourRange?: ColourRange;
   /** The column of red holds the whole colour. */
   readonly packedColour?: PackedColour;
+  /** Where to say that only what is whole was read. */
+  readonly warnings: Warning[];
 }
 
 /** Points of a text file, one a line. @throws input/malformed, input/truncated */
 export async function* readTextPoints(
   source: ByteSource,
-  {
-    layout,
-    begin,
-    line,
-    rowsBefore = 0,
-    rows = Number.POSITIVE_INFINITY,
-    colourRange,
-    packedColour,
-  }: TextPoints,
+  text: TextPoints,
   progress: ReadProgress,
 ): AsyncGenerator<PointChunk> {
+  const { layout, begin, line, rowsBefore = 0, rows = Infinity, packedColour, warnings } = text;
   const parser = new RowParser(layout, { name: source.name, line });
   const unpack = packedColour && colourUnpacker(packedColour);
   const columnOf = (field: number) => (unpack && field > RED && field <= BLUE ? RED : field);
-  const buffer = new PointBuffer((field) => layout.targets.includes(columnOf(field)), colourRange);
+  const buffer = new PointBuffer((field) => layout.targets.includes(columnOf(field)), text.colourRange);
+  const last = new LastRow();
   let before = rowsBefore;
-  let left = rows;
-  for await (const { bytes, isCut } of lineBlocks(source, begin, progress)) {
+  let found = 0;
+  for await (const block of lineBlocks(source, begin, progress)) {
+    const { bytes } = block;
     let at = parser.seek(bytes, 0);
-    while (at < bytes.length && left > 0) {
+    while (at < bytes.length && found < rows) {
       if (before > 0) {
         at = parser.skipLine(bytes, at);
         before--;
       } else {
-        at = parser.read(bytes, at, isCut);
+        if (last.isCut(block, at, rows - found, parser)) break;
+        at = parser.read(bytes, at, false);
         unpack?.(parser.values);
         buffer.push(parser.values);
-        left--;
+        found++;
         if (buffer.free === 0) yield buffer.take();
       }
       at = parser.seek(bytes, at);
     }
-    if (left === 0) break;
+    if (found === rows) break;
   }
   if (buffer.count > 0) yield buffer.take();
-  if (left > 0 && left < Number.POSITIVE_INFINITY) throw tooFewRows(source.name, rows, rows - left);
+  const announced = rows < Infinity ? rows : undefined;
+  const isShort = announced !== undefined && found < announced;
+  const error = last.fault ?? (isShort ? tooFewRows(source.name, announced, found) : null);
+  if (error) goOnWith({ found, announced }, error, warnings);
 }
 
 /** Spreads the colour in the place of red over red, green and blue. */
@@ -77,12 +79,4 @@ function colourUnpacker(packed: PackedColour): (values: Float64Array) => void {
     values[RED + 1] = (bits[0] >>> 8) & 255;
     values[BLUE] = bits[0] & 255;
   };
-}
-
-export function tooFewRows(name: string, announced: number, found: number): FloorPlanError {
-  return new FloorPlanError(
-    'input/truncated',
-    `${name}: expected ${countOf(announced, 'point')} as the header says, found ${found} before the end of the file`,
-    { hint: 'The file seems cut off; copy or export it again.', detail: { announced, found } },
-  );
 }

@@ -19,15 +19,15 @@ export class PointSample {
   xyz = new Float64Array(0);
   #priorities = new Int32Array(0);
 
-  /** Takes point `at` of `xyz`; the caller has checked {@link limit}. */
+  /** Takes the point whose x is `xyz[at]`; the caller has checked {@link limit}. */
   add(xyz: Float64Array, at: number, priority: number): void {
     if (this.count === this.#priorities.length) this.#makeRoom();
     if (priority > this.limit) return;
     this.#priorities[this.count] = priority;
     const to = 3 * this.count++;
-    this.xyz[to] = xyz[3 * at];
-    this.xyz[to + 1] = xyz[3 * at + 1];
-    this.xyz[to + 2] = xyz[3 * at + 2];
+    this.xyz[to] = xyz[at];
+    this.xyz[to + 1] = xyz[at + 1];
+    this.xyz[to + 2] = xyz[at + 2];
   }
 
   /** x, y, z a point, relative to `origin`. */

@@ -1,22 +1,31 @@
 import { FloorPlanError } from '../../core/errors.ts';
+import type { Vec3 } from '../../core/types.ts';
 import type { PointChunk } from '../cloud-reader.ts';
-import { CELLS_TOLD_APART } from './cell-hash.ts';
-import { CellTable } from './cell-table.ts';
-import { HashedRun, NAME_SHIFT, PRIORITY, RUN_POINTS } from './hashed-run.ts';
-import { KeptAttributes } from './kept-attributes.ts';
+import { CellBlocks } from './cell-blocks.ts';
+import { pointPriority } from './point-hash.ts';
+import { type AttributeSet, PointRecords, PRIORITY } from './point-records.ts';
 import { PointSample } from './point-sample.ts';
+import { copyInOrder, type ThinnedPoints } from './thinned-points.ts';
 
 /** Farther from 0 than this is no place in a building but a mark for "no return": a UTM northing in mm is 10¹⁰. */
 export const FARTHEST = 1e12;
 /** Finest cell tried when a cloud without cells is over its budget, as a share of its extent. */
-const FIRST_SHARE = 2 / CELLS_TOLD_APART;
+const FIRST_SHARE = 2 ** -20;
+/** Cells that order a cloud without cells, as a share of its extent. */
+const ORDER_SHARE = 2 ** -15;
+/** Points looked at together: few enough for the fastest cache. */
+const RUN_POINTS = 512;
+/** Points held, as a share of the budget, before those that lose their cell are left out. */
+const HELD_SHARE = 1.25;
+/** Records laid out for a point that is held: last pages are not full. Memory that is not written to costs nothing. */
+const RECORDS_PER_POINT = 1.125;
 
 export interface ThinningOptions {
   /** Edge of the cells to start with, source units, a power of two; 0 keeps every distinct point. */
   readonly cell: number;
   /** Most points kept; past it cells coarsen. */
   readonly budget: number;
-  /** Points that will come at most, as far as known: a table of the right size need not grow. */
+  /** Points that will come at most, as far as known: a store of the right size need not grow. */
   readonly expected?: number;
 }
 
@@ -27,59 +36,53 @@ export interface ThinningOptions {
  * Of a cell's points the one with the smallest hash of its coordinates is kept (ties: smaller coordinates, then
  * attributes): no grid pattern, no bias to a scanner's order, and as the minimum of minima is the minimum, the points
  * kept are the same for every order of the points, and for coarsening later or starting coarse. When more than
- * `budget` points are kept the edge doubles. Cell 0 keeps every distinct point.
- *
- * {@link CELLS_TOLD_APART} cells apart, along an axis, two cells are taken for one. Points with cells of their own are
- * told apart by a 64-bit hash: among four million, two share one in 1 of 2 million clouds. Complexity: O(points).
+ * `budget` points are kept the edge doubles. Cell 0 keeps every distinct point. Complexity: O(points).
  */
 export class Thinning {
   /** Edge of a cell in source units, a power of two; 0 where every distinct point is kept. */
   cell: number;
   /** The cell it began with. */
   readonly firstCell: number;
-  /** Points kept. */
-  count = 0;
   /** Points seen, those dropped included. */
   read = 0;
   /** Points without a finite place. */
   dropped = 0;
   /** Whether the budget made the cells coarser than asked. */
   isOverBudget = false;
-  /** Source coordinates of the points kept, x, y, z a point; entries past 3 · count are stale. */
-  xyz = new Float64Array(0);
   /** Box around every point with a finite place, kept or not. */
   readonly bounds: Box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
   /** Of every point with a finite place, whatever the cells. */
   readonly sample = new PointSample();
   readonly #budget: number;
-  #words = new Int32Array(0);
-  #attributes: KeptAttributes | null = null;
-  readonly #run = new HashedRun();
-  #table: CellTable;
+  readonly #expected: number;
+  /** The points at hand, before their block is known. */
+  #run: PointRecords | null = null;
+  #blocks: CellBlocks | null = null;
 
   constructor({ cell, budget, expected = 0 }: ThinningOptions) {
     this.cell = cell;
     this.firstCell = cell;
     this.#budget = budget;
-    // Pages that nothing is written to cost no memory.
-    const capacity = Math.ceil(Math.min(expected, budget)) + RUN_POINTS;
-    this.#table = allocate(() => new CellTable(budget + RUN_POINTS, capacity));
-    this.#growArrays(capacity);
+    this.#expected = expected;
   }
 
-  /** Adds the points of a chunk. @throws environment/memory */
+  /** Points kept. */
+  get count(): number {
+    this.#settle();
+    return this.#blocks?.held ?? 0;
+  }
+
+  /** Adds the points of a chunk; attributes are those that the first chunk has. @throws environment/memory */
   add(chunk: PointChunk): void {
-    this.#attributes ??= new KeptAttributes(chunk, this.xyz.length / 3);
-    this.#attributes.open(chunk);
-    const words = new Int32Array(chunk.xyz.buffer, chunk.xyz.byteOffset, 2 * chunk.xyz.length);
+    this.#run ??= new PointRecords(attributesIn(chunk), RUN_POINTS);
+    const run = this.#run;
     for (let begin = 0; begin < chunk.count; begin += RUN_POINTS) {
-      this.#makeRoom();
-      const end = Math.min(chunk.count, begin + RUN_POINTS);
-      const isAllPlaced = this.#takeIn(chunk.xyz, begin, end);
-      this.#run.hash({ xyz: chunk.xyz, words }, { begin, end }, this.cell);
-      this.#table.fetch(this.#run.names, end - begin);
-      this.#addRun(chunk, begin, end, isAllPlaced);
-      while (this.count > this.#budget) this.#coarsenForBudget();
+      const count = this.#takeIn(run, chunk, begin, Math.min(chunk.count, begin + RUN_POINTS));
+      this.#rank(run, count);
+      this.#blocks ??= this.#makeBlocks(run.has);
+      const blocks = this.#blocks;
+      allocate(() => blocks.append(run, 0, count));
+      if (blocks.held > this.#budget * HELD_SHARE) this.#settle();
     }
     this.read += chunk.count;
   }
@@ -90,64 +93,37 @@ export class Thinning {
     this.#rebuild();
   }
 
-  /** Attributes of the points kept at `indices`. */
-  attributesOf(indices: Uint32Array) {
-    return this.#attributes?.pick(indices) ?? {};
+  /** Copies out the points kept, relative to `origin`. */
+  inOrder<T extends Float32Array | Float64Array>(
+    origin: Vec3,
+    make: (length: number) => T,
+  ): ThinnedPoints<T> {
+    if (this.#blocks && this.#blocks.held > this.#budget) this.#settle();
+    // The first points gave a cloud without cells its lattice.
+    if (this.cell === 0 && this.#blocks && this.#blocks.cell !== this.#lattice()) this.#rebuild();
+    const blocks = this.#blocks ?? this.#makeBlocks(attributesIn({}));
+    return allocate(() => copyInOrder(blocks, origin, make));
   }
 
-  /** Lets go of the table; no point can be added after. */
-  close(): void {
-    this.#table = new CellTable(0, 0);
-  }
-
-  #addRun(chunk: PointChunk, begin: number, end: number, isAllPlaced: boolean): void {
-    const table = this.#table;
-    const { names } = this.#run;
-    let { limit } = this.sample;
-    for (let i = begin; i < end; i++) {
-      if (!isAllPlaced && !isPlace(chunk.xyz, 3 * i)) continue;
-      const name = (i - begin) << NAME_SHIFT;
-      const priority = names[name + PRIORITY];
-      if (priority <= limit) {
-        this.sample.add(chunk.xyz, i, priority);
-        limit = this.sample.limit;
-      }
-      const kept = table.find(names, name);
-      if (kept < 0) {
-        table.insert(~kept, this.count, names, name);
-        this.#put(chunk, i, this.count++);
-        continue;
-      }
-      // Most points lose their cell to the one kept there.
-      const lead = priority - table.priorityOf(kept);
-      if (lead < 0 || (lead === 0 && this.#precedes(chunk, i, kept))) {
-        table.replace(kept, priority);
-        this.#put(chunk, i, kept);
-      }
-    }
-  }
-
-  /** Bounds grow, −0 becomes 0 (one place, different bits), and points without a place are counted; false where there are any. */
-  #takeIn(xyz: Float64Array, begin: number, end: number): boolean {
+  /** Copies points that have a place, grows bounds and counts those that have none. Returns how many were copied. */
+  #takeIn(run: PointRecords, chunk: PointChunk, begin: number, end: number): number {
     const { min, max } = this.bounds;
-    let minX = min[0];
-    let minY = min[1];
-    let minZ = min[2];
-    let maxX = max[0];
-    let maxY = max[1];
-    let maxZ = max[2];
-    let dropped = 0;
-    for (let i = 3 * begin; i < 3 * end; i += 3) {
-      const x = xyz[i];
-      const y = xyz[i + 1];
-      const z = xyz[i + 2];
-      if (!(Math.abs(x) <= FARTHEST && Math.abs(y) <= FARTHEST && Math.abs(z) <= FARTHEST)) {
-        dropped++;
-        continue;
-      }
-      if (x === 0) xyz[i] = 0;
-      if (y === 0) xyz[i + 1] = 0;
-      if (z === 0) xyz[i + 2] = 0;
+    let [minX, minY, minZ] = min;
+    let [maxX, maxY, maxZ] = max;
+    const { xyz } = chunk;
+    const { stride } = run;
+    const into = run.xyz;
+    let to = 0;
+    for (let i = begin; i < end; i++) {
+      // −0 becomes 0: one place, different bits.
+      const x = xyz[3 * i] + 0;
+      const y = xyz[3 * i + 1] + 0;
+      const z = xyz[3 * i + 2] + 0;
+      if (!(Math.abs(x) <= FARTHEST && Math.abs(y) <= FARTHEST && Math.abs(z) <= FARTHEST)) continue;
+      into[to] = x;
+      into[to + 1] = y;
+      into[to + 2] = z;
+      to += stride;
       if (x < minX) minX = x;
       if (x > maxX) maxX = x;
       if (y < minY) minY = y;
@@ -157,95 +133,75 @@ export class Thinning {
     }
     [min[0], min[1], min[2]] = [minX, minY, minZ];
     [max[0], max[1], max[2]] = [maxX, maxY, maxZ];
-    this.dropped += dropped;
-    return dropped === 0;
+    const count = to / stride;
+    this.dropped += end - begin - count;
+    if (count === end - begin) run.setAttributes(0, chunk, begin, count);
+    else copyPlacedAttributes(run, chunk, begin, end);
+    return count;
   }
 
-  /** Room in arrays and table for one more run. */
-  #makeRoom(): void {
-    const needed = this.count + RUN_POINTS;
-    if (3 * needed > this.xyz.length) this.#growArrays(needed);
-    if (!this.#table.hasRoom(needed)) allocate(() => this.#table.growSlots(this.count));
+  /** Notes the priorities of the points at hand, and takes some for the sample. */
+  #rank({ xyz, words, stride }: PointRecords, count: number): void {
+    let { limit } = this.sample;
+    for (let i = 0; i < count; i++) {
+      const at = stride * i;
+      const priority = pointPriority(words, 2 * at);
+      words[2 * at + PRIORITY] = priority;
+      if (priority <= limit) {
+        this.sample.add(xyz, at, priority);
+        limit = this.sample.limit;
+      }
+    }
   }
 
-  #growArrays(needed: number): void {
-    const capacity = Math.max(needed, Math.min(this.#budget + RUN_POINTS, 2 * this.count));
-    const grown = allocate(() => new Float64Array(3 * capacity));
-    grown.set(this.xyz.subarray(0, 3 * this.count));
-    this.xyz = grown;
-    this.#words = new Int32Array(grown.buffer);
-    allocate(() => this.#table.growNames(capacity));
-    allocate(() => this.#attributes?.grow(capacity));
+  /** Leaves out the points that lose their cell, and coarsens while too many are left. */
+  #settle(): void {
+    const blocks = this.#blocks;
+    if (!blocks) return;
+    blocks.settle();
+    while (this.#blocks && this.#blocks.held > this.#budget) {
+      this.isOverBudget = true;
+      this.coarsen(this.cell > 0 ? 2 * this.cell : powerOfTwoBelow(FIRST_SHARE * diagonalOf(this.bounds)));
+    }
   }
 
-  #coarsenForBudget(): void {
-    this.isOverBudget = true;
-    this.coarsen(this.cell > 0 ? 2 * this.cell : powerOfTwoBelow(FIRST_SHARE * diagonalOf(this.bounds)));
+  #makeBlocks(has: AttributeSet): CellBlocks {
+    const expected = Math.min(this.#expected, HELD_SHARE * this.#budget);
+    const capacity = Math.ceil(RECORDS_PER_POINT * expected);
+    return allocate(
+      () => new CellBlocks({ cell: this.cell || this.#lattice(), keepsAll: this.cell === 0, has, capacity }),
+    );
   }
 
-  /** Sorts the points kept into the emptied table by the present cell, and closes ranks. */
+  /** Cells for points that need none. */
+  #lattice(): number {
+    return powerOfTwoBelow(ORDER_SHARE * diagonalOf(this.bounds)) || 1;
+  }
+
   #rebuild(): void {
-    const { count } = this;
-    this.count = 0;
-    this.#table.clear();
-    for (let begin = 0; begin < count; begin += RUN_POINTS) {
-      const end = Math.min(count, begin + RUN_POINTS);
-      this.#run.hash({ xyz: this.xyz, words: this.#words }, { begin, end }, this.cell);
-      this.#table.fetch(this.#run.names, end - begin);
-      this.#sortInRun(begin, end);
-    }
-  }
-
-  #sortInRun(begin: number, end: number): void {
-    const table = this.#table;
-    const { names } = this.#run;
-    for (let i = begin; i < end; i++) {
-      const name = (i - begin) << NAME_SHIFT;
-      const kept = table.find(names, name);
-      if (kept < 0) {
-        table.insert(~kept, this.count, names, name);
-        this.#move(i, this.count++);
-        continue;
-      }
-      const lead = names[name + PRIORITY] - table.priorityOf(kept);
-      if (lead < 0 || (lead === 0 && isBefore(this.xyz, i, this.xyz, kept))) {
-        table.replace(kept, names[name + PRIORITY]);
-        this.#move(i, kept);
-      }
-    }
-  }
-
-  #put(chunk: PointChunk, from: number, to: number): void {
-    const kept = this.xyz;
-    const { xyz } = chunk;
-    kept[3 * to] = xyz[3 * from];
-    kept[3 * to + 1] = xyz[3 * from + 1];
-    kept[3 * to + 2] = xyz[3 * from + 2];
-    this.#attributes?.put(from, to);
-  }
-
-  #move(from: number, to: number): void {
-    if (from === to) return;
-    const { xyz } = this;
-    xyz[3 * to] = xyz[3 * from];
-    xyz[3 * to + 1] = xyz[3 * from + 1];
-    xyz[3 * to + 2] = xyz[3 * from + 2];
-    this.#attributes?.move(from, to);
-  }
-
-  #precedes(chunk: PointChunk, at: number, kept: number): boolean {
-    if (isBefore(chunk.xyz, at, this.xyz, kept)) return true;
-    if (isBefore(this.xyz, kept, chunk.xyz, at)) return false;
-    return this.#attributes?.precedes(at, kept) ?? false;
+    const old = this.#blocks;
+    if (!old) return;
+    this.#blocks = this.#makeBlocks(old.records.has);
+    const blocks = this.#blocks;
+    allocate(() => old.moveTo(blocks));
+    blocks.settle();
   }
 }
 
-function isBefore(a: Float64Array, at: number, b: Float64Array, bt: number): boolean {
-  for (let axis = 0; axis < 3; axis++) {
-    const difference = a[3 * at + axis] - b[3 * bt + axis];
-    if (difference !== 0) return difference < 0;
-  }
-  return false;
+function attributesIn(chunk: Partial<PointChunk>): AttributeSet {
+  const { colour, intensity, classification, station } = chunk;
+  return {
+    colour: colour !== undefined,
+    intensity: intensity !== undefined,
+    classification: classification !== undefined,
+    station: station !== undefined,
+  };
+}
+
+/** The attributes of those points of a chunk that have a place. */
+function copyPlacedAttributes(run: PointRecords, chunk: PointChunk, begin: number, end: number): void {
+  let to = 0;
+  for (let i = begin; i < end; i++) if (isPlace(chunk.xyz, 3 * i)) run.setAttributes(to++, chunk, i, 1);
 }
 
 /** The largest power of two that is not above `value`. */

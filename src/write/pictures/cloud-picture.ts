@@ -1,10 +1,12 @@
+import { countOf } from '../../core/count-words.ts';
+import { boundsOfAll } from '../../core/geometry/rings.ts';
 import { storeyRange } from '../../core/level.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import type { PointCloud } from '../../core/types.ts';
 import { dots } from './marks.ts';
-import { countOf, type Drawing, type LegendEntry } from './page.ts';
+import type { Drawing, LegendEntry } from './page.ts';
 import { heightColour, INK, OKABE_ITO, PAPER } from './palette.ts';
-import { boundsOfAll, sampler, shownShare, topView } from './top-view.ts';
+import { sampler, shownShare, topView } from './top-view.ts';
 
 const POINT = 1.8;
 const STRAY = 1.6;

@@ -1,8 +1,9 @@
+import { countOf } from '../../core/count-words.ts';
 import { type ChosenLevel, storeyRange } from '../../core/level.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import type { Level, PointCloud } from '../../core/types.ts';
 import { dots, element, path, pixels, text } from './marks.ts';
-import { countOf, type Drawing, MARGIN } from './page.ts';
+import { type Drawing, MARGIN } from './page.ts';
 import { ACCENT, INK, MUTED, PALE } from './palette.ts';
 import { sampler, shownShare } from './top-view.ts';
 

@@ -1,3 +1,4 @@
+import { countOf } from '../../core/count-words.ts';
 import { isCounterClockwise, ringsOf } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import { turnToSquare } from '../sheet-turn.ts';
@@ -6,7 +7,7 @@ import { sideColour, topColour } from './model-clay.ts';
 import { type Eye, makeEye } from './model-eye.ts';
 import { facesOf, type SideFace } from './model-faces.ts';
 import { castShadow } from './model-shadow.ts';
-import { countOf, type Drawing } from './page.ts';
+import type { Drawing } from './page.ts';
 import { paintOrder } from './paint-order.ts';
 import { INK } from './palette.ts';
 import { type GroupRings, type SolidSlab, slabsOf } from './solid-slabs.ts';

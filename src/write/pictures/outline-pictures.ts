@@ -1,11 +1,12 @@
 /** The slice, its outline, and what each pass makes of it, seen from above. */
-import { ringsOf, vertexCount } from '../../core/geometry/rings.ts';
+import { countOf } from '../../core/count-words.ts';
+import { boundsOfAll, ringsOf, vertexCount } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import type { Gap, Polygon, RegularisedBoundary } from '../../core/types.ts';
 import { dots, path } from './marks.ts';
-import { countOf, type Drawing } from './page.ts';
+import type { Drawing } from './page.ts';
 import { ACCENT, AMBER, INK, MUTED, OKABE_ITO, PALE } from './palette.ts';
-import { boundsOfAll, type TopView, thinned, topView } from './top-view.ts';
+import { type TopView, thinned, topView } from './top-view.ts';
 
 type Results = Partial<StageResults>;
 

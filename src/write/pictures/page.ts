@@ -1,9 +1,8 @@
+import { greatestRound } from '../decimals.ts';
 import { shorten, textWidth } from '../text-width.ts';
 import { escapeXml } from '../xml.ts';
 import { element, path, pixels, text } from './marks.ts';
 import { INK, MUTED, PAPER } from './palette.ts';
-
-export { countOf } from '../../core/count-words.ts';
 
 /** All pictures are as wide, so that their texts are equally large side by side, px. */
 const WIDTH = 640;
@@ -100,11 +99,8 @@ function legendBlock(
   return { marks, height: legend.length === 0 ? 0 : y - top + 4 };
 }
 
-/** The longest of 1, 2, 5 × 10ⁿ metres that fits. */
 function scaleBar(pixelsPerMetre: number, base: number): string {
-  const most = LONGEST_BAR / pixelsPerMetre;
-  const power = 10 ** Math.floor(Math.log10(most));
-  const metres = power * ([5, 2].find((step) => step * power <= most) ?? 1);
+  const metres = greatestRound(LONGEST_BAR / pixelsPerMetre);
   const length = metres * pixelsPerMetre;
   const label = lengthWords(metres);
   const [right, y] = [WIDTH - MARGIN, base - 4];

@@ -1,4 +1,5 @@
-import { ringsOf } from '../../core/geometry/rings.ts';
+import { countOf } from '../../core/count-words.ts';
+import { boundsOfAll, ringsOf } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import type { SecondaryBoundary } from '../../core/types.ts';
 import { areaOf, combine } from '../../solid/planar.ts';
@@ -7,9 +8,9 @@ import { hatch } from '../hatch.ts';
 import { HATCHES } from '../secondary-hatch.ts';
 import { path } from './marks.ts';
 import { gapMarks, mappedRings } from './outline-pictures.ts';
-import { countOf, type Drawing } from './page.ts';
+import type { Drawing } from './page.ts';
 import { ACCENT, AMBER, INK } from './palette.ts';
-import { boundsOfAll, type TopView, topView } from './top-view.ts';
+import { type TopView, topView } from './top-view.ts';
 
 /** The hatches' spacing is in mm on a sheet; a picture shows them in px. */
 const PIXELS_PER_MM = 3;

@@ -1,13 +1,14 @@
 /** How secondary boundaries are found ([Stojanovic19] §3.1, Fig. 3), seen from above. */
-import { ringsOf, vertexCount } from '../../core/geometry/rings.ts';
+import { countOf } from '../../core/count-words.ts';
+import { type Bounds, boundsOfAll, ringsOf, vertexCount } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import type { ClusterSearch, Polygon, SecondaryResult, SecondaryRound, Slice } from '../../core/types.ts';
 import { dots, element, path, pixels } from './marks.ts';
 import { mappedRings, outlineMarks } from './outline-pictures.ts';
-import { CONTENT_WIDTH, countOf, type Drawing, MARGIN } from './page.ts';
+import { CONTENT_WIDTH, type Drawing, MARGIN } from './page.ts';
 import { ACCENT, clusterColour, INK, OKABE_ITO, PALE } from './palette.ts';
 import type { PictureFacts } from './picture.ts';
-import { boundsOfAll, shownShare, type TopView, thinned, topView } from './top-view.ts';
+import { shownShare, type TopView, thinned, topView } from './top-view.ts';
 
 type Results = Partial<StageResults>;
 
@@ -197,7 +198,7 @@ function strokeBand(outline: Float64Array, width: number, view: TopView): string
   });
 }
 
-function grown({ minX, minY, maxX, maxY }: ReturnType<typeof boundsOfAll>): ReturnType<typeof boundsOfAll> {
+function grown({ minX, minY, maxX, maxY }: Bounds): Bounds {
   const by = SURROUNDINGS * Math.max(maxX - minX, maxY - minY);
   return { minX: minX - by, minY: minY - by, maxX: maxX + by, maxY: maxY + by };
 }

@@ -1,6 +1,5 @@
-import { type Bounds, boundsOf } from '../../core/geometry/rings.ts';
+import type { Bounds } from '../../core/geometry/rings.ts';
 import { createRandom } from '../../core/random.ts';
-
 import { CONTENT_WIDTH, MARGIN } from './page.ts';
 
 /** The tallest drawing that still shows whole beside its caption on a laptop's screen, and the flattest, px. */
@@ -50,17 +49,6 @@ export function topView({ minX, minY, maxX, maxY }: Bounds, field: Field = WHOLE
       }
       return mapped;
     },
-  };
-}
-
-/** Box around points and rings. */
-export function boundsOfAll(parts: readonly Float64Array[]): Bounds {
-  const boxes = parts.filter(({ length }) => length > 0).map(boundsOf);
-  return {
-    minX: Math.min(...boxes.map(({ minX }) => minX)),
-    minY: Math.min(...boxes.map(({ minY }) => minY)),
-    maxX: Math.max(...boxes.map(({ maxX }) => maxX)),
-    maxY: Math.max(...boxes.map(({ maxY }) => maxY)),
   };
 }
 

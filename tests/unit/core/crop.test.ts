@@ -35,10 +35,13 @@ function range({ positions }: PointCloud, axis: 0 | 1 | 2): [number, number] {
 }
 
 describe('the parameter', () => {
-  it.each(['none', '0,0,4,3', '-1.5,2,3,1e3', '0,0,4,3,-0.2,2.8'])('%s comes back as it was', (text) => {
-    const box = parseCrop(text);
-    expect(parseCrop(formatCrop(box))).toEqual(box);
-  });
+  it.each(['none', '0,0,4,3', '-1.5,2,3,1e3', '0,0,4,3,-0.2,2.8', '0,0,4,3@12.5', '0,0,4,3,1,2@-90'])(
+    '%s comes back as it was',
+    (text) => {
+      const box = parseCrop(text);
+      expect(parseCrop(formatCrop(box))).toEqual(box);
+    },
+  );
 
   it.each([
     '',
@@ -51,6 +54,11 @@ describe('the parameter', () => {
     '0,0,4,x',
     '0,,4,3',
     '0,0,Infinity,3',
+    '0,0,4,3@',
+    '0,0,4,3@x',
+    '0,0,4,3@181',
+    '0,0,4,3@1@2',
+    '@5',
   ])('refuses "%s"', (text) => {
     expect(errorOf(() => resolveOptions({ crop: text })).code).toBe('option/invalid');
   });
@@ -88,6 +96,28 @@ describe('the stage', () => {
     expect([...cropped.positions]).toEqual(
       kept.flatMap((i) => [...cloud.positions.subarray(3 * i, 3 * i + 3)]),
     );
+  });
+
+  it.each([
+    [1, 0],
+    [0.001, 5_000_000],
+  ])('keeps exactly the points in a turned box: units of %d m, %d from the origin', (metres, far) => {
+    const scan = makeScan(
+      ROOM.map((value) => value / metres + far),
+      { origin: [far, far, far] },
+    );
+    const cloud = orientedScan(scan, { up: 'z', metresPerUnit: metres });
+    const sides = [1, 0.5, 4, 3].map((value) => value / metres + far);
+    const cropped = cropCloud(cloud, { crop: `${sides.join(',')}@30` });
+    // In the box's own axes through its middle: 30° counter-clockwise.
+    const [c, s] = [Math.cos(Math.PI / 6), Math.sin(Math.PI / 6)];
+    let expected = 0;
+    for (let i = 0; i < cloud.positions.length; i += 3) {
+      const [dx, dy] = [cloud.positions[i] - 2.5, cloud.positions[i + 1] - 1.75];
+      if (Math.abs(c * dx + s * dy) <= 1.5 && Math.abs(-s * dx + c * dy) <= 1.25) expected++;
+    }
+    expect(cropped.positions.length / 3).toBe(expected);
+    expect(range(cropped, 0)[1]).toBeGreaterThan(4.2);
   });
 
   it('takes the box in source units and coordinates: millimetres, y up, far from the origin', () => {

@@ -6,12 +6,10 @@ import { resolveOptions } from '../../../src/core/options.ts';
 import { removeOutliers } from '../../../src/core/outliers.ts';
 import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
+import { SCENES } from '../../scenes.ts';
 import { listen } from './made-scan.ts';
 
-/** A few of the scenes with exact truth, beside the project; set GRUNDRISS_SCENES to another folder. */
-const FOLDER =
-  process.env.GRUNDRISS_SCENES ?? new URL('../../../../shared/scenes/', import.meta.url).pathname;
-const SCENES = ['home_utm', 'home_yup', 'home_mobile'];
+const NAMES = ['home_utm', 'home_yup', 'home_mobile'];
 
 interface Truth {
   readonly up: string;
@@ -19,10 +17,10 @@ interface Truth {
   readonly height: number;
 }
 
-describe.skipIf(!existsSync(FOLDER))(`scenes of ${FOLDER} (skipped when absent)`, () => {
-  test.each(SCENES)('%s: up, floor, height, strays', async (name) => {
-    const truth: Truth = JSON.parse(readFileSync(`${FOLDER}/${name}.gt.json`, 'utf8'));
-    const source = blobSource(new Blob([readFileSync(`${FOLDER}/${name}.ply`)]), `${name}.ply`);
+describe.skipIf(!existsSync(SCENES))(`scenes of ${SCENES} (skipped when absent)`, () => {
+  test.each(NAMES)('%s: up, floor, height, strays', async (name) => {
+    const truth: Truth = JSON.parse(readFileSync(`${SCENES}/${name}.gt.json`, 'utf8'));
+    const source = blobSource(new Blob([readFileSync(`${SCENES}/${name}.ply`)]), `${name}.ply`);
     const options = resolveOptions({});
     const { context, warnings } = listen();
     const cloud = orient(await readScan(source, options), options, context);

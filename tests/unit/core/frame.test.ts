@@ -27,7 +27,7 @@ const AXES: readonly Axis[] = ['z', '-z', 'y', '-y', 'x', '-x'];
 function run(scan: Scan, given: Parameters<typeof resolveOptions>[0] = {}) {
   const { context, warnings } = listen();
   const cloud = orient(scan, resolveOptions(given, { isSlice: scan.isSlice }), context);
-  return { cloud, codes: codesOf(warnings) };
+  return { cloud, warnings, codes: codesOf(warnings) };
 }
 
 /** Source coordinates of a plan point, as documented at Frame. */
@@ -47,6 +47,19 @@ function largestDifference(a: ArrayLike<number>, b: ArrayLike<number>): number {
   let most = 0;
   for (let i = 0; i < a.length; i++) most = Math.max(most, Math.abs(a[i] - b[i]));
   return most;
+}
+
+/** A wall across the flat, two faces, with openings 0.9 m wide from `sill` to `head`. */
+function piercedWall({ at, sill = 0, head }: { at: number; sill?: number; head: number }): number[] {
+  const points: number[] = [];
+  for (let y = 0; y < 3; y += 0.05) {
+    const isPierced = [0.4, 1.7].some((edge) => y > edge && y < edge + 0.9);
+    for (let z = 0; z < 2.7; z += 0.05) {
+      if (isPierced && z >= sill && z < head) continue;
+      for (const x of [at, at + 0.12]) points.push(x, y, z);
+    }
+  }
+  return points;
 }
 
 describe('up', () => {
@@ -79,6 +92,39 @@ describe('up', () => {
       for (let u = 0; u < 1.2; u += 0.03) for (let v = 0; v < 0.3; v += 0.03) lamps.push(x + u, 1.5 + v, 2.2);
     const flat = concat(roomPoints({ hasTable: false }), Float64Array.from(lamps));
     expect(run(makeScan(flat)).cloud.frame.up).toBe('z');
+  });
+
+  test('the doorways of an empty flat tell its floor, whichever axis is up', () => {
+    const flat = concat(roomPoints({ hasTable: false }), piercedWall({ at: 4, head: 2.05 }));
+    for (const up of AXES.filter((axis) => !axis.endsWith('x'))) {
+      const { cloud, codes } = run(makeScan(transform(flat, transpose(uprightRotation(up)))));
+      expect([cloud.frame.up, codes]).toEqual([up, []]);
+    }
+  });
+
+  test('parapets below windows up to the ceiling are no doorways turned over', () => {
+    const wall = piercedWall({ at: 8, sill: 0.9, head: 2.7 });
+    const { cloud, codes } = run(makeScan(concat(roomPoints({ hasTable: false }), wall)));
+    expect([cloud.frame.up, codes]).toEqual(['z', ['frame/up-guessed']]);
+  });
+
+  test('an empty room stands as in the file, with a warning that says what to try', () => {
+    for (const up of ['z', 'y'] as const) {
+      const room = transform(roomPoints({ hasTable: false }), transpose(uprightRotation(up)));
+      const { cloud, warnings } = run(makeScan(room));
+      expect(cloud.frame.up).toBe(up);
+      const [{ code, message, hint }] = warnings;
+      expect(code).toBe('frame/up-guessed');
+      expect(message).toContain('neither furniture nor doorways');
+      expect(hint).toContain(`the up axis to -${up}`);
+    }
+  });
+
+  test('tables that hang above doorways leave the scan as in the file, with a warning', () => {
+    const hung = roomPoints().map((value, i) => (i % 3 === 2 ? 2.7 - value : value));
+    const { cloud, warnings } = run(makeScan(concat(hung, piercedWall({ at: 4, head: 2.05 }))));
+    expect(cloud.frame.up).toBe('z');
+    expect(warnings.map(({ message }) => message).join()).toContain('disagree');
   });
 
   test('furniture shows the side of a floor without a ceiling', () => {

@@ -1,6 +1,6 @@
 import type { StageContext } from '../../../src/core/context.ts';
 import { createRandom, type Random } from '../../../src/core/random.ts';
-import type { PointCloud, Scan, Vec3, Warning } from '../../../src/core/types.ts';
+import type { Frame, PointCloud, Scan, Vec3, Warning } from '../../../src/core/types.ts';
 
 /** Scans made by hand, for the tests of the stages before the outline. */
 
@@ -99,18 +99,21 @@ export function makeSliceScan(xy: ArrayLike<number>, extra: Partial<Scan> = {}):
   return makeScan(points, { isSlice: true, ...extra });
 }
 
+/** Plan metres are source coordinates. */
+export const UPRIGHT_FRAME: Frame = {
+  origin: [0, 0, 0],
+  planOrigin: [0, 0, 0],
+  rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1],
+  metresPerUnit: 1,
+  unit: 'm',
+  up: 'z',
+  tilt: 0,
+};
+
 /** An upright cloud of points given as x, y, z, metres. */
 export function makeCloud(points: ArrayLike<number>, extra: Partial<PointCloud> = {}): PointCloud {
   return {
-    frame: {
-      origin: [0, 0, 0],
-      planOrigin: [0, 0, 0],
-      rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1],
-      metresPerUnit: 1,
-      unit: 'm',
-      up: 'z',
-      tilt: 0,
-    },
+    frame: UPRIGHT_FRAME,
     positions: Float32Array.from(points),
     attributes: {},
     stations: [],

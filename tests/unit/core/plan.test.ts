@@ -87,7 +87,7 @@ function planAround(
     options: resolveOptions(given),
   };
   const plan = makePlan(parts, context);
-  return { plan, storey: plan.storeys[0], codes: codesOf(warnings) };
+  return { plan, storey: plan.storeys[0], codes: codesOf(warnings), warnings };
 }
 
 describe('makePlan', () => {
@@ -134,6 +134,18 @@ describe('makePlan', () => {
     expect(run({ isFlat: true }).codes).toEqual(['plan/height-assumed']);
     expect(run({ isFlat: true }).storey.height).toBe(2.5);
     expect(run({ isFlat: true }, { wallHeight: 3 }).codes).toEqual([]);
+  });
+
+  test.each([
+    [4.6, 0.02, 'set another level'],
+    [0.3, 0.02, 'set the unit'],
+    [4.6, 0.8, undefined],
+  ])('in a scan of %f m an outline of %f m is a room, or says what to try', (extent, side, hint) => {
+    const cloud = makeCloud([0, 0, 0, extent, extent, 0.2], { floor: 0, ceiling: 0.2 });
+    const outer = ring(0, 0, side, 0, side, side, 0, side);
+    const { codes, warnings } = planAround({ outer, holes: [] }, {}, { cloud });
+    expect(codes).toEqual(hint ? ['plan/no-room'] : []);
+    expect(warnings[0]?.hint).toEqual(hint && expect.stringContaining(hint));
   });
 
   test('walls have the thickness, side and confidence', () => {

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { trimmedBounds, valueOfRank } from '../../../src/core/frame/robust-scale.ts';
+import { trimmedBounds, valueOfRank } from '../../../src/core/robust-scale.ts';
 
 it('finds the value of any rank that sorting would', () => {
   const spread = Array.from({ length: 999 }, (_, i) => ((i * 0.618034) % 1) * 2000 - 1000);

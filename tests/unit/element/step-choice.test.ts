@@ -10,6 +10,7 @@ beforeEach(async () => {
   maker = new PlanMaker({
     onChange() {},
     onScan() {},
+    onView() {},
     onPreview() {},
     spawnWorker: () => null,
     emit() {},
@@ -46,7 +47,7 @@ it('a picture the plan lacks is stood for by the one in its place', async () => 
 it('turns to the last picture of a failed run, and back; a good run ends that', async () => {
   steps.open('model');
   await expect(maker.update({ unit: 'm', boundary: 'alpha-shape', alpha: 0.001 })).rejects.toThrow();
-  expect(steps.isOfFailed).toBe(false);
+  expect(steps.of).toBe('plan');
   expect(steps.picture?.name).toBe('model');
   steps.turnTo('failed');
   expect(steps.picture?.name).toBe('slice');
@@ -54,5 +55,5 @@ it('turns to the last picture of a failed run, and back; a good run ends that', 
   expect(steps.pictures.at(-1)?.name).toBe('model');
   steps.turnTo('failed');
   await maker.update({ unit: 'm' });
-  expect(steps.isOfFailed).toBe(false);
+  expect(steps.of).toBe('plan');
 });

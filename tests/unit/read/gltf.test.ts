@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { openScan } from '../../../src/read/open-scan.ts';
 import { glbBytes, layOut } from './glb-bytes.ts';
@@ -202,7 +203,8 @@ describe('glTF', () => {
     });
   });
 
-  it.each(['KHR_draco_mesh_compression', 'EXT_meshopt_compression'])('names %s', async (name) => {
+  it('names an extension that keeps places elsewhere', async () => {
+    const name = 'EXT_mesh_gpu_instancing';
     await expect(open({ ...MODEL, extensionsRequired: [name] })).rejects.toMatchObject({
       code: 'input/unreadable',
       message: expect.stringContaining(name),
@@ -275,5 +277,62 @@ describe('a spoilt glTF', () => {
 
   it('without anything in it is empty', async () => {
     await expect(read({ ...MODEL, nodes: [{}] })).rejects.toMatchObject({ code: 'input/empty' });
+  });
+});
+
+describe('a packed model', () => {
+  const fixture = (name: string) =>
+    new Uint8Array(readFileSync(new URL(`../../../fixtures/foreign/${name}.glb`, import.meta.url)));
+  const jsonEnd = (bytes: Uint8Array) => 20 + new DataView(bytes.buffer).getUint32(12, true);
+  const PACKED = ['flat-meshopt', 'flat-filtered', 'flat-draco'];
+
+  /** Box and mean colour, from samples. */
+  async function factsOf(name: string): Promise<number[]> {
+    const { xyz, colour = [] } = await readAll(memorySource(fixture(name), `${name}.glb`));
+    const columns = [...[0, 1, 2].map((axis) => xyz.map((point) => point[axis]))];
+    const means = [0, 1, 2].map((k) => colour.reduce((sum, rgb) => sum + rgb[k], 0) / colour.length / 255);
+    const box = columns.flatMap((values) => [
+      values.reduce((a, b) => Math.min(a, b)),
+      values.reduce((a, b) => Math.max(a, b)),
+    ]);
+    return [...box, ...means];
+  }
+
+  it('is the model it was before', async () => {
+    const facts = await factsOf('flat');
+    for (const name of ['flat-quantised', ...PACKED]) {
+      const found = await factsOf(name);
+      expect(found.length).toBe(9);
+      // Samples come within two steps of the corners.
+      for (const [i, value] of found.entries())
+        expect(Math.abs(value - facts[i]), `${name} ${i}`).toBeLessThan(0.03);
+    }
+  });
+
+  it.each(PACKED)('%s, spoilt, is refused', async (name) => {
+    const bytes = fixture(name);
+    bytes.fill(0, jsonEnd(bytes) + 8 + 2);
+    await expect(readAll(memorySource(bytes, 'a.glb'))).rejects.toMatchObject({
+      code: 'input/malformed',
+      message: expect.stringMatching(/packed by (meshopt|Draco)/),
+    });
+  });
+
+  it.each([
+    ['a count beyond what bytes can grow to', '"count":60}', '"count":6000000}', 'at most'],
+    ['an element of no size', '"byteStride":8,"mode"', '"byteStride":7,"mode"', 'elements of ATTRIBUTES'],
+    ['an unknown mode', '"mode":"ATTRIBUTES"', '"mode":"WAVELETS"', 'a known mode'],
+    ['triangles of four corners', '"count":258}', '"count":256}', 'elements of TRIANGLES'],
+    ['fewer values than are looked for', '"count":60}', '"count":59}', '60 values'],
+  ])('with %s is refused', async (_, from, to, message) => {
+    const bytes = fixture('flat-meshopt');
+    const end = jsonEnd(bytes);
+    const text = new TextDecoder().decode(bytes.subarray(20, end));
+    expect(text).toContain(from);
+    const spoilt = glbBytes(JSON.parse(text.replace(from, to)), bytes.subarray(end + 8));
+    await expect(readAll(memorySource(spoilt, 'a.glb'))).rejects.toMatchObject({
+      code: 'input/malformed',
+      message: expect.stringContaining(message),
+    });
   });
 });

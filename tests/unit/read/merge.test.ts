@@ -87,3 +87,9 @@ it('refuses parts of different units and warns of different systems', () => {
   ]);
   expect(warnings).toMatchObject([{ code: 'read/mixed-crs' }]);
 });
+
+it('has empty places where all parts have them', () => {
+  const grid = part('grid', cloudOf({ hasEmptyPlaces: true }));
+  expect(mergeClouds([grid, grid]).hasEmptyPlaces).toBe(true);
+  expect(mergeClouds([grid, part('plain', cloudOf({}))]).hasEmptyPlaces).toBeUndefined();
+});

@@ -18,13 +18,17 @@ const [COS, SIN] = [Math.cos(Math.PI / 6), Math.sin(Math.PI / 6)];
 /** The same in the GLB, seen from above: turned by 30° about its origin, then moved. */
 const TURNED = FLAT.map(([x, y]) => [10 + COS * x - SIN * y, 3 + SIN * x + COS * y]);
 
+/** One format at the resolution that holds by default, the others on a lattice thrice as wide, m. */
 it.each([
-  ['flat.obj', 'z', FLAT],
-  ['flat.ply', 'z', FLAT],
-  ['flat.glb', 'y', TURNED],
-] as const)('%s: the outline is true to a centimetre', async (name, up, truth) => {
+  ['flat.obj', 0.03, 'z', FLAT],
+  ['flat.ply', 0.01, 'z', FLAT],
+  ['flat.glb', 0.03, 'y', TURNED],
+  ['flat-meshopt.glb', 0.03, 'y', TURNED],
+  ['flat-draco.glb', 0.03, 'y', TURNED],
+] as const)('%s at %d m: the outline is true to a centimetre', async (name, resolution, up, truth) => {
   const { plan } = await new Session({ strokeTest: createStrokeTest() }).load(
     await nodeSource(fixture(name)),
+    { resolution },
   );
   expect(plan.frame).toMatchObject({ up, metresPerUnit: 1 });
   const [ox, oy] = plan.frame.planOrigin;

@@ -5,7 +5,7 @@ import { createServer, type RequestListener, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest';
 import { nodeSource } from '../../../src/cli/node-source.ts';
 import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import { ByteCursor } from '../../../src/read/bytes/byte-cursor.ts';
@@ -151,6 +151,18 @@ describe('urlSource', () => {
     });
   });
 
+  it('says when an answer is shorter than it announces', async () => {
+    // As a service worker may answer; a platform's own fetch notices by itself.
+    const answer = () => new Response('abc', { headers: { 'Content-Length': '1000' } });
+    vi.stubGlobal('fetch', async () => answer());
+    await expect(streamed(urlSource('https://a.example/scan.ply')))
+      .rejects.toMatchObject({
+        code: 'environment/network',
+        message: expect.stringContaining('broke after 3 of 1000 bytes'),
+      })
+      .finally(() => vi.unstubAllGlobals());
+  });
+
   it('says when the connection breaks', async () => {
     listener = (_, response) => {
       response.writeHead(200, { 'Content-Length': 1000 });
@@ -159,6 +171,7 @@ describe('urlSource', () => {
     };
     await expect(streamed(urlSource(`${base}/scan.ply`))).rejects.toMatchObject({
       code: 'environment/network',
+      message: expect.stringContaining('broke after 3 of 1000 bytes'),
     });
     await expect(streamed(urlSource('http://127.0.0.1:1/scan.ply'))).rejects.toMatchObject({
       code: 'environment/network',

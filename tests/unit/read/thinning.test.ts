@@ -7,8 +7,12 @@ function thin(points: readonly (readonly number[])[], cell: number, budget = 1e6
   return thinning;
 }
 
-const pointsOf = ({ xyz, count }: Thinning) =>
-  Array.from({ length: count }, (_, i) => [...xyz.subarray(3 * i, 3 * i + 3)].join()).sort();
+const keptBy = (thinning: Thinning) => thinning.inOrder([0, 0, 0], (length) => new Float64Array(length));
+
+const pointsOf = (thinning: Thinning) => {
+  const { positions, count } = keptBy(thinning);
+  return Array.from({ length: count }, (_, i) => [...positions.subarray(3 * i, 3 * i + 3)].join()).sort();
+};
 
 /** A slanted plane with some depth, far from 0. */
 const cloud = (count: number) =>
@@ -105,8 +109,7 @@ describe('Thinning', () => {
     ]) {
       const thinning = new Thinning({ cell: 1, budget: 10 });
       thinning.add(chunk(intensities));
-      const order = thinning.xyz[0] === 1 ? [0, 1] : [1, 0];
-      const { intensity, colour } = thinning.attributesOf(Uint32Array.from(order));
+      const { intensity, colour } = keptBy(thinning).attributes;
       expect([...intensity!]).toEqual([0.25, 1]);
       expect([...colour!]).toEqual([9, 8, 7, 1, 2, 3]);
     }
@@ -115,7 +118,8 @@ describe('Thinning', () => {
   it('prefers no corner of a cell', () => {
     const inCell = thin(cloud(200_000), 0.5);
     const offset = [0, 0, 0];
-    for (let i = 0; i < 3 * inCell.count; i++) offset[i % 3] += ((inCell.xyz[i] / 0.5) % 1) / inCell.count;
+    const { positions } = keptBy(inCell);
+    for (let i = 0; i < 3 * inCell.count; i++) offset[i % 3] += ((positions[i] / 0.5) % 1) / inCell.count;
     // The mean of n uniform values strays by 0.29 / √n.
     const slack = (4 * 0.29) / Math.sqrt(inCell.count);
     expect(Math.abs(offset[0] - 0.5)).toBeLessThan(slack);
@@ -125,4 +129,51 @@ describe('Thinning', () => {
 
 it('finds powers of two', () => {
   expect([1, 1.5, 0.01, 0.0078125, 1000].map(powerOfTwoBelow)).toEqual([1, 1, 2 ** -7, 2 ** -7, 512]);
+});
+
+describe('the order of the points kept', () => {
+  const cell = 0.25;
+  const cellOf = (point: readonly number[]) => point.map((value) => Math.floor(value / cell));
+  const byCell = (a: readonly number[], b: readonly number[]) => {
+    const [cellA, cellB] = [cellOf(a), cellOf(b)];
+    return cellA[2] - cellB[2] || cellA[1] - cellB[1] || cellA[0] - cellB[0];
+  };
+  const rowsOf = ({ positions, count }: ReturnType<typeof keptBy>) =>
+    Array.from({ length: count }, (_, i) => [...positions.subarray(3 * i, 3 * i + 3)]);
+
+  it('is by cell, x fastest, over all blocks and on both sides of zero', () => {
+    const points = Array.from({ length: 30_000 }, (_, i) =>
+      [0.618034, 0.754878, 0.569841].map((step, axis) => (((i * step) % 1) - 0.4) * [60, 30, 20][axis]),
+    );
+    const rows = rowsOf(keptBy(thin(points, cell)));
+    expect(rows.length).toBeGreaterThan(20_000);
+    expect(rows).toEqual(rows.toSorted(byCell));
+    expect(new Set(rows.map((row) => cellOf(row).join())).size).toBe(rows.length);
+  });
+
+  it('holds far strays, one a block, and carries attributes along', () => {
+    const places = Array.from({ length: 3_000 }, (_, i) => [((i * 7919) % 3_000) * 1e6, 1 - i, i % 5]);
+    const thinning = new Thinning({ cell, budget: 1e4 });
+    thinning.add({
+      count: places.length,
+      xyz: Float64Array.from(places.flat()),
+      station: Uint16Array.from(places, ([x]) => x / 1e6),
+      classification: Uint8Array.from(places, ([, , z]) => 250 + z),
+    });
+    const kept = keptBy(thinning);
+    const rows = rowsOf(kept);
+    expect(rows).toEqual(places.toSorted(byCell));
+    expect([...kept.attributes.station!]).toEqual(rows.map(([x]) => x / 1e6));
+    expect([...kept.attributes.classification!]).toEqual(rows.map(([, , z]) => 250 + z));
+  });
+
+  it('leaves out what has no place together with its attributes', () => {
+    const thinning = new Thinning({ cell, budget: 10 });
+    thinning.add({
+      count: 3,
+      xyz: Float64Array.of(0, 0, 0, Number.NaN, 0, 0, 1, 0, 0),
+      intensity: Float32Array.of(0.25, 0.5, 0.75),
+    });
+    expect([...keptBy(thinning).attributes.intensity!]).toEqual([0.25, 0.75]);
+  });
 });

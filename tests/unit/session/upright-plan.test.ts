@@ -1,13 +1,15 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { simulate, writePly } from '../../../fixtures/simulator/index.ts';
+import type { Building } from '../../../fixtures/simulator/building.ts';
+import { writePly } from '../../../fixtures/simulator/index.ts';
 import {
   corridorBuilding,
   homeBuilding,
   officeBuilding,
   roundHallBuilding,
 } from '../../../fixtures/simulator/layouts.ts';
-import type { Pose } from '../../../fixtures/simulator/pose.ts';
+import { DEFAULT_POSE, type Pose, toSource } from '../../../fixtures/simulator/pose.ts';
+import { DEFAULT_SCAN, scanBuilding } from '../../../fixtures/simulator/scan.ts';
 import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
 import { perimeter } from '../../../src/core/geometry/rings.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
@@ -15,6 +17,7 @@ import type { Axis, Polygon } from '../../../src/core/types.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
 import { Session } from '../../../src/session/session.ts';
 import { areaOf, combine } from '../../../src/solid/planar.ts';
+import { SCENES } from '../../scenes.ts';
 import { memorySource } from '../read/memory-source.ts';
 
 /** How the same building may lie in a file: with its axes named otherwise, and tilted. */
@@ -36,6 +39,11 @@ const SAME = 0.002;
 const NOISE = 0.006;
 const SCAN = { raysPerStation: 80_000, voxel: 0.03, noise: NOISE };
 const LYING = { heading: 0.2, offset: [3, 4, 0] } as const;
+
+/** Points in the building's own frame. */
+function scanOf(building: Building, seed = DEFAULT_SCAN.seed): Float64Array {
+  return scanBuilding(building, { ...DEFAULT_SCAN, ...SCAN, seed }).positions;
+}
 
 function degrees(angle: number): number {
   return (angle * Math.PI) / 180;
@@ -62,9 +70,9 @@ function distanceBetween(a: readonly Polygon[], b: readonly Polygon[]): number {
   return (areaOf(combine('difference', a, b)) + areaOf(combine('difference', b, a))) / length;
 }
 
-describe.each(Object.entries(BUILDINGS))('%s', async (name, building) => {
-  const lying = (pose: Partial<Pose>) =>
-    planOf(simulate({ name, building, scan: SCAN, pose: { ...LYING, ...pose } }).positions);
+describe.each(Object.entries(BUILDINGS))('%s', async (_, building) => {
+  const points = scanOf(building);
+  const lying = (pose: Partial<Pose>) => planOf(toSource(points, { ...DEFAULT_POSE, ...LYING, ...pose }));
   const upright = await lying({});
 
   it.each(AXES)('has one plan, whichever axis is up: $up', async (pose) => {
@@ -83,18 +91,10 @@ describe.each(Object.entries(BUILDINGS))('%s', async (name, building) => {
 
 it('an empty corridor, which nothing tells from one turned over, is not turned over', async () => {
   for (const seed of [1, 2, 3]) {
-    const { positions } = simulate({
-      name: 'corridor',
-      building: corridorBuilding(seed),
-      scan: { ...SCAN, seed },
-    });
-    expect((await planOf(positions)).up).toBe('z');
+    const points = toSource(scanOf(corridorBuilding(seed), seed), DEFAULT_POSE);
+    expect((await planOf(points)).up).toBe('z');
   }
 });
-
-/** A few of the scenes with exact truth, beside the project; set GRUNDRISS_SCENES to another folder. */
-const SCENES =
-  process.env.GRUNDRISS_SCENES ?? new URL('../../../../shared/scenes/', import.meta.url).pathname;
 
 describe.skipIf(!existsSync(SCENES))(`scenes of ${SCENES} (skipped when absent)`, () => {
   it.each(['home_l', 'home_rect', 'floor_office'])('%s has one plan, whichever axis is up', async (name) => {

@@ -7,6 +7,7 @@ import type {
   SecondaryBoundary,
   Storey,
 } from '../../../src/core/types.ts';
+import { UPRIGHT_FRAME } from '../core/made-scan.ts';
 
 /** Plans made by hand, for the tests of solids and writers. */
 
@@ -94,16 +95,7 @@ export function planOf({
   return {
     version: 1,
     source: { name, format: 'ply', bytes: 1, pointsRead: 1000, pointsDropped: 0, pointsKept: 1000 },
-    frame: {
-      origin: [0, 0, 0],
-      planOrigin: [0, 0, 0],
-      rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1],
-      metresPerUnit: 1,
-      unit: 'm',
-      up: 'z',
-      tilt: 0,
-      ...frame,
-    },
+    frame: { ...UPRIGHT_FRAME, ...frame },
     options: resolveOptions(options),
     storeys: storeys.map((storey, index) => ({
       index,

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { PlanClient } from '../../../src/worker/client.ts';
-import type { Evidence } from '../../../src/worker/protocol.ts';
+import type { Evidence, PlanView } from '../../../src/worker/protocol.ts';
 
 // Node has no Worker, so the client ends on its own thread: the real protocol, server and session answer.
 
@@ -118,6 +118,19 @@ it('a run that fails tells which stage, and its pictures up to there can be had 
   expect(await client.picture({ name: 'hull', of: 'plan' })).toBe(hull);
   await client.update(view.options);
   expect(await client.picture({ name: 'slice', of: 'failed' })).toBeNull();
+});
+
+it('pictures of the plan shown tell what came out of it, not of a scan that failed after it', async () => {
+  const client = new PlanClient();
+  const slices: (string | undefined)[] = [];
+  const tell = ({ pictures }: PlanView) =>
+    slices.push(pictures.find(({ name }) => name === 'slice')?.outcome);
+  tell(await client.load([{ data: room(4), name: 'a.csv' }]));
+  const failing = client.load([{ data: room(6), name: 'b.csv' }], { boundary: 'alpha-shape', alpha: 0.001 });
+  await expect(failing).rejects.toMatchObject({ code: 'result/no-boundary' });
+  tell(await client.update({ wallThickness: 0.5 }));
+  expect(slices[0]).toMatch(/points/);
+  expect(slices[1]).toBe(slices[0]);
 });
 
 it('puts another plan beside the one shown, which stays', async () => {

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
 import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import { Session } from '../../../src/session/session.ts';
-import { PictureDesk } from '../../../src/worker/picture-desk.ts';
+import { listPictures, PictureDesk } from '../../../src/worker/picture-desk.ts';
 import { parseXml } from '../write/strict-xml.ts';
 
 const file = new URL('../../golden/room-2/slice.csv', import.meta.url);
@@ -16,9 +16,9 @@ const { options } = await session.load(blobSource(new Blob([readFileSync(file)])
 });
 
 test('the picture of the stroke can be asked for by round, the others have none to choose', () => {
-  const { evidence, reports } = session;
+  const { evidence } = session;
   const desk = new PictureDesk();
-  const rounds = desk.list(evidence, reports).filter((picture) => picture.rounds > 1);
+  const rounds = listPictures(session).filter((picture) => picture.rounds > 1);
   const [{ rounds: run }] = evidence.secondary!.searches;
   expect(run).toHaveLength(2);
   expect(rounds.map(({ name, rounds: count }) => [name, count])).toEqual([['secondary-outline', 2]]);

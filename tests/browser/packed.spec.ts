@@ -12,3 +12,12 @@ test('a LAZ file becomes a plan, decompressed in the worker under the page’s o
   await expect(page.getByTestId('plan-svg')).toContainText('m²');
   await expect(page.locator('[data-stage=read]')).toContainText('6,000');
 });
+
+for (const name of ['flat-meshopt.glb', 'flat-draco.glb']) {
+  test(`${name} becomes a plan, decompressed in the worker under the page’s own policy`, async ({ page }) => {
+    await page.goto('./?src=');
+    await page.getByTestId('file-input').setInputFiles(fixture(name));
+    await expectReady(page);
+    await expect(page.getByTestId('plan-svg')).toContainText('m²');
+  });
+}

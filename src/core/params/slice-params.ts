@@ -1,0 +1,63 @@
+import { choice, flag, level, number, type ParamRow } from '../param-rows.ts';
+
+/** Which points of the cloud the outline is made from. Lengths in metres. */
+export const SLICE_PARAMS = {
+  level: level({
+    default: 'auto',
+    stage: 'level',
+    label: 'Level',
+    doc: 'Height level the plan is made from: auto, 0, 1, 2, or low:high in metres above the floor.',
+    source: '[Stojanovic19] §3',
+  }),
+  levelRule: choice(['density', 'count'], {
+    default: 'density',
+    paper: 'count',
+    stage: 'level',
+    label: 'Level rule',
+    doc: 'Auto takes the level with the most points per area of its bounding box, or with the most points.',
+    source: '[Stojanovic19] §3',
+  }),
+  keepFloorAndCeiling: flag({
+    default: false,
+    stage: 'level',
+    label: 'Keep floor and ceiling',
+    doc: 'Leave the points of the floor and ceiling planes in the levels.',
+    source: '[Stojanovic19] §3.1',
+    advanced: true,
+  }),
+  wallReach: number({
+    default: 0.6,
+    paper: 0,
+    min: 0,
+    max: 1,
+    step: 0.05,
+    unit: '',
+    stage: 'slice',
+    label: 'Wall reach',
+    doc: 'Points count as wall when something stands over them in this share of the height from the level to the ceiling; keeps window reveals and furniture out and closes windows by their lintels; 0 takes the level as it is.',
+    source: 'ours',
+  }),
+  samplesPer50M2: number({
+    default: 50_000,
+    min: 100,
+    max: 5_000_000,
+    step: 100,
+    unit: 'points',
+    stage: 'slice',
+    label: 'Samples per 50 m²',
+    doc: 'Uniform down-sampling of the slice: points kept per 50 m² of its bounding box.',
+    source: '[Stojanovic19] §4',
+  }),
+  seed: number({
+    default: 1,
+    min: 0,
+    max: 4_294_967_295,
+    step: 1,
+    unit: '',
+    stage: 'slice',
+    label: 'Seed',
+    doc: 'Start of every random choice; equal seeds give equal plans.',
+    source: 'ours',
+    advanced: true,
+  }),
+} as const satisfies Record<string, ParamRow>;
