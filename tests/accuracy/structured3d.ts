@@ -77,9 +77,9 @@ function bestMatch(wanted: PixelMap, found: readonly PixelMap[], ignored: PixelM
 }
 
 function overlapping(maps: readonly PixelMap[]): boolean[] {
-  return maps.map((map, a) =>
-    maps.some((other, b) => a !== b && map.some((value, i) => value === 1 && other[i] === 1)),
-  );
+  const layers = new Uint16Array(maps[0]?.length ?? 0);
+  for (const map of maps) for (let i = 0; i < map.length; i++) layers[i] += map[i];
+  return maps.map((map) => map.some((value, i) => value === 1 && layers[i] > 1));
 }
 
 /** Found corners near a true one, and those of them whose angle is right, by the last true corner that took them. */
