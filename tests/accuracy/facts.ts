@@ -5,18 +5,34 @@ import type { Polygon } from './regions.ts';
 /** The parts of plan.geojson that the measure looks at. */
 export interface PlanFile {
   readonly features: readonly {
-    readonly geometry: { readonly type: string; readonly coordinates: unknown } | null;
+    readonly geometry: Geometry | null;
     readonly properties: Readonly<Record<string, unknown>>;
   }[];
 }
 
+interface Geometry {
+  readonly type: string;
+  readonly coordinates: unknown;
+}
+
 export interface OpeningFacts {
   readonly kind: string;
+  readonly from: XY;
+  readonly to: XY;
   readonly centre: XY;
   readonly width: number;
   readonly sill: number;
   readonly head: number;
 }
+
+export interface WallFacts {
+  readonly outline: Polygon;
+  readonly thickness: number;
+  /** Its thickness is assumed, not measured. */
+  readonly isInferred: boolean;
+}
+
+export type Stretch = readonly [from: XY, to: XY];
 
 /** One storey of a plan or of the truth: metres, relative to an origin that both share. */
 export interface StoreyFacts {
@@ -26,6 +42,12 @@ export interface StoreyFacts {
   readonly roomHeights: readonly number[];
   readonly structures: readonly Polygon[];
   readonly openings: readonly OpeningFacts[];
+  /** Outer face of the outer walls; of the truth only. */
+  readonly outer: readonly Polygon[];
+  /** Of the plan only. */
+  readonly walls: readonly WallFacts[];
+  /** Stretches of wall faces that no point supports; null where nobody knows. */
+  readonly hidden: readonly Stretch[] | null;
 }
 
 export interface StoreyPair {
@@ -71,12 +93,17 @@ function truthFacts(truth: TruthStorey, toMetres: ToMetres, unit: number): Store
       const [from, to] = seg.map(toMetres);
       return {
         kind,
+        from,
+        to,
         centre: interpolate(from, to, 0.5),
         width: distance(from, to),
         sill: z0 / unit,
         head: z1 / unit,
       };
     }),
+    outer: [polygon(truth.outer)],
+    walls: [],
+    hidden: truth.hidden?.map(([a, b]): Stretch => [toMetres(a), toMetres(b)]) ?? null,
   };
 }
 
@@ -85,11 +112,11 @@ function planFacts({ features }: PlanFile, toMetres: ToMetres): StoreyFacts {
     features.flatMap(({ geometry, properties }) =>
       geometry && properties.kind === kind ? [{ geometry, properties }] : [],
     );
-  const polygons = (kind: string): Polygon[] =>
-    ofKind(kind).map(({ geometry }) => {
-      if (geometry.type !== 'Polygon') throw new Error(`${kind}: expected a Polygon, found ${geometry.type}`);
-      return (geometry.coordinates as readonly Coordinates[]).map((ring) => openRing(ring, toMetres));
-    });
+  const polygonOf = ({ type, coordinates }: Geometry, kind: string): Polygon => {
+    if (type !== 'Polygon') throw new Error(`${kind}: expected a Polygon, found ${type}`);
+    return (coordinates as readonly Coordinates[]).map((ring) => openRing(ring, toMetres));
+  };
+  const polygons = (kind: string): Polygon[] => ofKind(kind).map(({ geometry }) => polygonOf(geometry, kind));
   return {
     primary: polygons('primary-boundary'),
     rooms: polygons('room'),
@@ -99,11 +126,23 @@ function planFacts({ features }: PlanFile, toMetres: ToMetres): StoreyFacts {
       const line = (geometry.coordinates as Coordinates).map(toMetres);
       return {
         kind: String(properties.type),
+        from: line[0],
+        to: line[line.length - 1],
         centre: centroidOfLine(line),
         width: lengthOf(line),
         sill: Number(properties.sillM),
         head: Number(properties.headM),
       };
+    }),
+    outer: [],
+    walls: ofKind('wall').map(({ geometry, properties }) => ({
+      outline: polygonOf(geometry, 'wall'),
+      thickness: Number(properties.thicknessM),
+      isInferred: properties.inferred === true,
+    })),
+    hidden: ofKind('inferred-stretch').flatMap(({ geometry }) => {
+      const line = (geometry.coordinates as Coordinates).map(toMetres);
+      return line.slice(1).map((point, i): Stretch => [line[i], point]);
     }),
   };
 }

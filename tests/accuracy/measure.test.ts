@@ -197,6 +197,57 @@ describe('measurePlan, by hand', () => {
     expect(found.passageF1).toBe(0);
   });
 
+  it('counts what is not valid: a crossing ring and a pair of rooms that overlap', () => {
+    const apart = plan({ rooms: [rectangle(0, 0, 4, 5), rectangle(4, 0, 4, 5)] });
+    expect(measurePlan(apart, truth).invalidCount).toBe(0);
+    const bowTie: XY[] = [
+      [0, 0],
+      [8, 5],
+      [8, 0],
+      [0, 5],
+    ];
+    const rooms = [rectangle(0, 0, 4.01, 5), rectangle(4, 0, 4, 5)];
+    expect(measurePlan(plan({ primary: bowTie, rooms }), truth).invalidCount).toBe(2);
+  });
+
+  it('ISPRS accuracy: only faces within 10 cm count', () => {
+    const rooms = [rectangle(0.04, 0.04, 3.92, 4.92), rectangle(20, 20, 9, 9)];
+    const found = measurePlan(plan({ rooms }), truth);
+    expect(found.isprsAccuracyMm).toBeCloseTo(40, 6);
+    expect(found.faceMedianMm).toBeGreaterThan(1000);
+  });
+
+  it('walls and inferred stretches come from features of their own', () => {
+    const features: PlanFile['features'] = [
+      {
+        geometry: { type: 'Polygon', coordinates: [closed(rectangle(4, 2, 0.21, 3))] },
+        properties: { kind: 'wall', storey: 0, thicknessM: 0.21 },
+      },
+      {
+        geometry: {
+          type: 'LineString',
+          coordinates: [
+            [0, 1],
+            [0, 2],
+          ],
+        },
+        properties: { kind: 'inferred-stretch', storey: 0, room: 'Room 1' },
+      },
+    ];
+    const hidden = [
+      [
+        [0, 0],
+        [0, 4],
+      ],
+    ] as const;
+    const found = measurePlan({ features }, { ...truth, hidden });
+    expect(found.wallThicknessErrorMm).toBeCloseTo(10, 6);
+    expect(found).toMatchObject({ inferredM: 1, hiddenM: 4, inferredPrecision: 1 });
+    // 15 cm beyond each end are as good as told.
+    expect(found.inferredRecall).toBeCloseTo(1.3 / 4, 1);
+    expect(measurePlan({ features }, truth).inferredRecall).toBeUndefined();
+  });
+
   it('is in metres whatever the unit, and as exact far from the origin', () => {
     const far = (v: number): number => (v + 5_300_000) * 1000;
     const move = (rings: readonly (readonly (readonly number[])[])[]) =>
@@ -206,6 +257,7 @@ describe('measurePlan, by hand', () => {
       rooms: truth.rooms.map(move),
       columns: truth.columns.map(move),
       interior_outline: move(truth.interior_outline),
+      outer: move(truth.outer),
       openings: truth.openings.map((o) => ({
         ...o,
         seg: [o.seg[0].map(far), o.seg[1].map(far)],

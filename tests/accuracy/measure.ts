@@ -2,7 +2,10 @@ import { distance } from '../../fixtures/simulator/ring.ts';
 import type { Truth } from '../../fixtures/simulator/truth.ts';
 import { type OpeningFacts, type PlanFile, pairStoreys, type StoreyFacts, type StoreyPair } from './facts.ts';
 import { assign, countPairs } from './matching.ts';
-import { f1, type Measures, meanOfStoreys } from './measures.ts';
+import { measureInferred } from './measure-inferred.ts';
+import { measureStructured3d } from './measure-structured3d.ts';
+import { measureWalls } from './measure-walls.ts';
+import { f1, inferredShares, type Measures, meanOfStoreys } from './measures.ts';
 import { clockwise, cornersOf, offsets, quantile, sampleRings } from './outlines.ts';
 import {
   areaOf,
@@ -43,7 +46,27 @@ function measureStorey({ plan, truth }: StoreyPair): Measures {
     ...measureRooms(plan, truth),
     ...measureStructures(plan, truth),
     ...measureOpenings(plan, truth),
+    ...measureWalls(plan, truth),
+    ...withShares(measureInferred(plan, truth)),
+    invalidCount: countInvalid(plan),
+    ...measureStructured3d(plan, truth),
   };
+}
+
+function withShares(lengths: Measures): Measures {
+  return { ...lengths, ...inferredShares(lengths) };
+}
+
+/** Shared by two rooms where coordinates of 0.1 mm do not tell better, m². */
+const SHARED_BY_ROUNDING = 1e-3;
+
+function countInvalid({ primary, rooms, structures, walls }: StoreyFacts): number {
+  const polygons = [...primary, ...rooms, ...structures, ...walls.map(({ outline }) => outline)];
+  const regions = rooms.map(regionOf);
+  const overlaps = regions.flatMap((room, i) =>
+    regions.slice(i + 1).filter((other) => sharedArea(room, other) > SHARED_BY_ROUNDING),
+  );
+  return polygons.filter((polygon) => !isValidPolygon(polygon)).length + overlaps.length;
 }
 
 function measureFootprint(plan: StoreyFacts, truth: StoreyFacts): Measures {
@@ -119,12 +142,14 @@ function measureFaces(plan: StoreyFacts, truth: StoreyFacts): Measures {
   const wanted = outersOf(truth.rooms);
   const toFound = offsets(sampleRings(wanted), found);
   const toWanted = offsets(sampleRings(found), wanted);
+  const close = toWanted.filter((value) => value <= FACE_REACH);
   const near = (values: readonly number[]): number =>
     values.filter((value) => value <= FACE_REACH).length / values.length;
   return {
     faceCompleteness: near(toFound),
     faceCorrectness: near(toWanted),
     faceMedianMm: quantile(toWanted, 0.5) * MM,
+    ...(close.length > 0 ? { isprsAccuracyMm: quantile(close, 0.5) * MM } : {}),
   };
 }
 
@@ -152,6 +177,7 @@ function measureOpenings(plan: StoreyFacts, truth: StoreyFacts): Measures {
     doorWidthErrorMm: door.median('width'),
     windowWidthErrorMm: window.median('width'),
     passageWidthErrorMm: passage.median('width'),
+    openingWidthErrorMm: medianOf([door, window, passage].flatMap(({ errors }) => errors('width'))),
     doorHeadErrorMm: door.median('head'),
     windowSillErrorMm: window.median('sill'),
     windowHeadErrorMm: window.median('head'),
@@ -161,7 +187,8 @@ function measureOpenings(plan: StoreyFacts, truth: StoreyFacts): Measures {
 
 interface OpeningScore {
   readonly f1: number | undefined;
-  /** Of the errors over true openings with a found one near, mm. */
+  /** Over true openings with a found one near, mm. */
+  errors(side: 'width' | 'sill' | 'head'): number[];
   median(side: 'width' | 'sill' | 'head'): number | undefined;
 }
 
@@ -174,16 +201,18 @@ function openingsOf(kind: OpeningFacts['kind'], plan: StoreyFacts, truth: Storey
     const near = found.find(({ centre }) => distance(centre, truly.centre) < OPENING_REACH);
     return near ? [{ near, truly }] : [];
   });
+  const errors: OpeningScore['errors'] = (side) =>
+    pairs.map(({ near, truly }) => Math.abs(near[side] - truly[side]) * MM).filter(Number.isFinite);
   return {
+    errors,
     f1:
       found.length + wanted.length === 0
         ? undefined
         : f1(right / Math.max(1, found.length), right / Math.max(1, wanted.length)),
-    median(side) {
-      const errors = pairs
-        .map(({ near, truly }) => Math.abs(near[side] - truly[side]) * MM)
-        .filter(Number.isFinite);
-      return errors.length > 0 ? quantile(errors, 0.5) : undefined;
-    },
+    median: (side) => medianOf(errors(side)),
   };
+}
+
+function medianOf(values: readonly number[]): number | undefined {
+  return values.length > 0 ? quantile(values, 0.5) : undefined;
 }

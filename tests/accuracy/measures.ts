@@ -2,8 +2,8 @@ interface MeasureRow {
   readonly label: string;
   readonly doc: string;
   readonly digits: number;
-  /** A share is 0 for a scene without a plan; other measures are then unknown. */
-  readonly kind: 'share' | 'error' | 'count';
+  /** A share is 0 for a scene without a plan; other measures are then unknown. Sums add up over storeys and scenes. */
+  readonly kind: 'share' | 'error' | 'count' | 'sum';
   /** Its name in the reference scorer `score.py`. */
   readonly reference?: string;
 }
@@ -75,6 +75,50 @@ export const MEASURES = {
   doorHeadErrorMm: row('door h mm', 0, 'error', 'Median.'),
   windowSillErrorMm: row('sill mm', 0, 'error', 'Median.'),
   windowHeadErrorMm: row('win h mm', 0, 'error', 'Median.'),
+  openingWidthErrorMm: row('open w mm', 0, 'error', 'Median over openings of all kinds.'),
+  wallThicknessErrorMm: row(
+    'thick mm',
+    0,
+    'error',
+    'Median over walls with both faces seen, inferred ones left out.',
+  ),
+  wallsMeasured: row(
+    'thick known',
+    2,
+    'share',
+    'Walls with both faces seen whose thickness the plan claims to know.',
+  ),
+  outerThicknessErrorMm: row(
+    'outer thick mm',
+    0,
+    'error',
+    'Median over outer walls the plan claims to know.',
+  ),
+  wallsInferred: row('walls inferred', 0, 'count', 'Walls of the plan with an assumed thickness.'),
+  inferredM: row('inferred m', 1, 'sum', 'Length of the stretches the plan calls inferred.'),
+  inferredRightM: row('of it right', 1, 'sum', 'Length of those that no ray met indeed.'),
+  hiddenM: row('hidden m', 1, 'sum', 'Length of the stretches of wall, 30 cm or longer, that no ray met.'),
+  hiddenToldM: row('of it told', 1, 'sum', 'Length of those that the plan calls inferred.'),
+  inferredPrecision: row('inferred P', 2, 'share', 'Inferred stretches that are right, by length; pooled.'),
+  inferredRecall: row('inferred R', 2, 'share', 'Hidden stretches that are told, by length; pooled.'),
+  invalidCount: row(
+    'invalid',
+    2,
+    'error',
+    'Invalid polygons, and pairs of rooms that share more than 10 cm².',
+  ),
+  isprsAccuracyMm: row(
+    'ISPRS acc mm',
+    1,
+    'error',
+    'Median distance of found faces within 10 cm of a true one.',
+  ),
+  s3dRoomPrecision: row('S3D room P', 3, 'share', 'Structured3D protocol on a map of 256 px.'),
+  s3dRoomRecall: row('S3D room R', 3, 'share', 'Structured3D protocol on a map of 256 px.'),
+  s3dCornerPrecision: row('S3D corner P', 3, 'share', 'Within 10 px.'),
+  s3dCornerRecall: row('S3D corner R', 3, 'share', 'Within 10 px.'),
+  s3dAnglePrecision: row('S3D angle P', 3, 'share', 'Within 5°.'),
+  s3dAngleRecall: row('S3D angle R', 3, 'share', 'Within 5°.'),
 } as const satisfies Record<string, MeasureRow>;
 
 export type MeasureName = keyof typeof MEASURES;
@@ -94,13 +138,35 @@ export function f1(precision: number, recall: number): number {
 
 /** As the reference does: the mean over storeys, where a figure of the reference that a storey lacks counts 0. */
 export function meanOfStoreys(storeys: readonly Measures[]): Measures {
-  return meanBy(storeys, (name) => rowOf(name).reference !== undefined);
+  const mean = meanBy(storeys, (name) => rowOf(name).reference !== undefined);
+  return withSums(mean, storeys);
+}
+
+/** Lengths add up, and the shares made of them with them. */
+function withSums(mean: Measures, items: readonly Measures[]): Measures {
+  const sums: Measures = { ...mean };
+  for (const name of MEASURE_NAMES) {
+    if (rowOf(name).kind !== 'sum' || mean[name] === undefined) continue;
+    sums[name] = items.reduce((sum, item) => sum + (item[name] ?? 0), 0);
+  }
+  return { ...sums, ...inferredShares(sums) };
+}
+
+/** Precision and recall by length; unknown where nothing was told or asked. */
+export function inferredShares({ inferredM, inferredRightM, hiddenM, hiddenToldM }: Measures): Measures {
+  return {
+    ...(inferredM ? { inferredPrecision: (inferredRightM ?? 0) / inferredM } : {}),
+    ...(hiddenM ? { inferredRecall: (hiddenToldM ?? 0) / hiddenM } : {}),
+  };
 }
 
 /** Mean over scenes that have a figure; null stands for a scene without a plan. Structures are pooled. */
 export function meanOfScenes(scenes: readonly (Measures | null)[]): Measures {
   const known = scenes.map((scene) => scene ?? NO_PLAN);
-  const mean: Measures = meanBy(known, () => false);
+  const mean = withSums(
+    meanBy(known, () => false),
+    known,
+  );
   const sum = (name: MeasureName): number => known.reduce((total, scene) => total + (scene[name] ?? 0), 0);
   const [found, wanted, right] = [sum('structuresFound'), sum('structuresTrue'), sum('structuresMatched')];
   if (found + wanted > 0) {

@@ -196,7 +196,7 @@ export const RECIPES: Readonly<Record<string, Recipe>> = {
     variety: {
       clutter: 0.8,
       style: OFFICE_STYLE,
-      heights: [2.8, 3.2],
+      heights: [2.55, 2.75],
       tall: fullCupboards(0.22),
       lowered: 0.8,
       details: { roundColumns: 1 },
@@ -241,7 +241,7 @@ export const RECIPES: Readonly<Record<string, Recipe>> = {
   },
   'home-hidden': {
     sketch: homeSketch('L'),
-    variety: { clutter: 0.6, heights: LOW, tall: fullCupboards(0.55), style: { windows: 0.4 } },
+    variety: { clutter: 0.6, heights: LOW, tall: fullCupboards(0.5), style: { windows: 0.4 } },
     scan: { noiseMm: [8, 12], stationsPerRoom: 1 },
   },
   'corridor-coarse': {
@@ -254,6 +254,7 @@ export const RECIPES: Readonly<Record<string, Recipe>> = {
     variety: {
       clutter: 1.2,
       style: OFFICE_STYLE,
+      heights: [2.5, 2.7],
       tall: fullCupboards(0.4),
       details: { roundColumns: 2, shafts: 1 },
     },
@@ -262,7 +263,7 @@ export const RECIPES: Readonly<Record<string, Recipe>> = {
   },
   'wing-45-hidden': {
     sketch: bentSketch(45 * DEGREE, 'home'),
-    variety: { clutter: 1, heights: LOW, tall: fullCupboards(0.5), style: { windows: 0.5 } },
+    variety: { clutter: 1, heights: LOW, tall: fullCupboards(0.36), style: { windows: 0.5 } },
     scan: { noiseMm: [22, 30], voxelCm: [5, 7] },
     pose: { unit: 'ft', tiltDeg: 2.5 },
   },
