@@ -9,9 +9,9 @@ const SMALLEST_RADIUS = 0.6;
 /** A curve is drawn on past its ends by so much, m, to meet the walls it runs into. */
 const OVERLAP = 0.4;
 
-/** The chords of curved faces: short straight faces, end to end, which may meet others past both ends of the curve. */
-export function chordsOf(columns: HeightColumns, curved: readonly CurvedFace[]): Face[] {
-  return curved.flatMap((arc) => (arc.radius < SMALLEST_RADIUS ? [] : chordsOfArc(columns, arc)));
+/** The chords of each curved face: short straight faces, end to end, which may meet others past both ends of the curve. */
+export function chordsOf(columns: HeightColumns, curved: readonly CurvedFace[]): Face[][] {
+  return curved.filter(({ radius }) => radius >= SMALLEST_RADIUS).map((arc) => chordsOfArc(columns, arc));
 }
 
 function chordsOfArc({ centres }: HeightColumns, arc: CurvedFace): Face[] {

@@ -1,4 +1,4 @@
-import { medianOf } from '../frame/robust-scale.ts';
+import { medianOf } from '../robust-scale.ts';
 import type { WallStrip } from './wall-strip.ts';
 
 /** Heights above the floor, m, at which every door and nearly every window is open and furniture seldom hides a wall. */

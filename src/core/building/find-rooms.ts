@@ -47,13 +47,14 @@ export interface WallFaces {
 function wallFaces(cloud: PointCloud, columns: HeightColumns): WallFaces {
   const ceiling = localCeiling(columns);
   const { straight, curved } = findFaces(cloud, columns);
-  const found: WallFace[] = [
-    ...settleFaces(cloud, columns, straight).map((face) => ({ ...face, reach: REACH })),
-    ...chordsOf(columns, curved).map((face) => ({ ...face, reach: 0 })),
-  ];
-  const supports = found.map((face) => supportAlong(cloud, columns, ceiling, face, face.reach));
-  const isWall = (_: unknown, i: number) => found[i].reach === 0 || standsAsWall(supports[i].shares);
-  return { faces: found.filter(isWall), supports: supports.filter(isWall) };
+  const stands = (group: readonly WallFace[]): WallFaces | null => {
+    const supports = group.map((face) => supportAlong(cloud, columns, ceiling, face, face.reach));
+    return standsAsWall(supports.flatMap(({ shares }) => [...shares])) ? { faces: group, supports } : null;
+  };
+  const lines = settleFaces(cloud, columns, straight).map((face) => [{ ...face, reach: REACH }]);
+  const curves = chordsOf(columns, curved).map((chords) => chords.map((face) => ({ ...face, reach: 0 })));
+  const none: WallFaces = { faces: [], supports: [] };
+  return [...lines, ...curves].reduce((all, group) => joined(all, stands(group) ?? none), none);
 }
 
 function joined(a: WallFaces, b: WallFaces): WallFaces {
@@ -100,7 +101,7 @@ function edgeSupport({ x, y, origin, lines }: Arrangement, faces: readonly Face[
   });
 }
 /** Whether a face stands as a wall where it was seen. */
-function standsAsWall(shares: Float64Array): boolean {
+function standsAsWall(shares: readonly number[]): boolean {
   let [wall, any] = [0, 0];
   for (const share of shares) {
     if (share > 0) any++;

@@ -1,4 +1,4 @@
-import { DEVIATION_BY_MEDIAN, medianOf } from '../frame/robust-scale.ts';
+import { DEVIATION_BY_MEDIAN, medianOf } from '../robust-scale.ts';
 import type { PointCloud } from '../types.ts';
 import type { HeightColumns } from './height-columns.ts';
 
