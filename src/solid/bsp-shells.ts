@@ -1,9 +1,10 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 import { CSG } from 'three-csg-ts';
+import { combine } from '../core/geometry/areas.ts';
 import type { Polygon } from '../core/types.ts';
 import { extrude } from './extrude.ts';
 import type { Engine } from './part.ts';
-import { combine, separatePinches } from './planar.ts';
+import { separatePinches } from './pinches.ts';
 import { closeTJunctions } from './t-junctions.ts';
 import { splitShells, weld } from './weld.ts';
 

@@ -1,6 +1,6 @@
 import earcut from 'earcut';
+import { STEPS_PER_METRE } from '../core/geometry/areas.ts';
 import type { Polygon, Ring } from '../core/types.ts';
-import { STEPS_PER_METRE } from './planar.ts';
 import { closeTJunctions } from './t-junctions.ts';
 import type { TriangleMesh } from './triangle-mesh.ts';
 

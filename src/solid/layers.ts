@@ -1,8 +1,9 @@
+import { combine } from '../core/geometry/areas.ts';
 import { ringsOf } from '../core/geometry/rings.ts';
 import type { Polygon } from '../core/types.ts';
 import { capTriangles, extrude, ON_EDGE } from './extrude.ts';
 import type { Part } from './part.ts';
-import { combine, PINCH_ROUNDS, pinchesOf } from './planar.ts';
+import { PINCH_ROUNDS, pinchesOf } from './pinches.ts';
 import { carve } from './sections.ts';
 import { shareVertices } from './share-vertices.ts';
 import { closeTJunctions } from './t-junctions.ts';

@@ -1,11 +1,11 @@
 import { FloorPlanError } from '../core/errors.ts';
+import { combine } from '../core/geometry/areas.ts';
 import type { Options } from '../core/params.ts';
 import type { FloorPlan, Polygon, Solid, SolidGroup, Storey, Warning } from '../core/types.ts';
 import { extrude } from './extrude.ts';
 import { layeredShells } from './layers.ts';
 import { openingBoxes } from './opening-boxes.ts';
 import type { Engine, Part } from './part.ts';
-import { combine } from './planar.ts';
 import { carve, footprint, unite } from './sections.ts';
 import { openEdges, type TriangleMesh } from './triangle-mesh.ts';
 

@@ -1,5 +1,5 @@
+import { combine } from '../core/geometry/areas.ts';
 import type { Opening, Polygon, Storey } from '../core/types.ts';
-import { combine } from './planar.ts';
 
 /** What an opening takes out of a storey's walls: a box across the wall, from jamb to jamb. */
 export interface OpeningBox {

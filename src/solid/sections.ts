@@ -1,7 +1,8 @@
+import { combine } from '../core/geometry/areas.ts';
 import { polygonArea } from '../core/geometry/rings.ts';
 import type { Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
 import { openingBoxes } from './opening-boxes.ts';
-import { combine, separatePinches } from './planar.ts';
+import { separatePinches } from './pinches.ts';
 import { shareVertices } from './share-vertices.ts';
 
 /** A plan is cut this far above the floor, m: through doors and most windows. */

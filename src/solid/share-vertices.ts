@@ -1,5 +1,5 @@
+import { STEPS_PER_METRE } from '../core/geometry/areas.ts';
 import type { Polygon, Ring } from '../core/types.ts';
-import { STEPS_PER_METRE } from './planar.ts';
 
 /**
  * Sections cut from one another round the same crossing to places at most this far apart, and off the edge it lies on,

@@ -1,7 +1,7 @@
+import { areaOf, combine } from '../core/geometry/areas.ts';
 import { perimeter, ringsOf, vertexCount } from '../core/geometry/rings.ts';
 import { squaredDistanceToSegment } from '../core/geometry/segments.ts';
 import type { Polygon } from '../core/types.ts';
-import { areaOf, combine } from '../solid/planar.ts';
 
 /** How two areas differ. */
 export interface PolygonComparison {

@@ -1,6 +1,6 @@
+import { combine } from '../core/geometry/areas.ts';
 import type { Opening, Polygon, Storey } from '../core/types.ts';
 import { openingBoxes } from '../solid/opening-boxes.ts';
-import { combine } from '../solid/planar.ts';
 import { type Affine, mapped, type SheetItem } from './sheet.ts';
 
 /** Decimals of plan metres in data attributes: 0.1 mm. */

@@ -1,6 +1,6 @@
+import { areaOf, combine } from '../core/geometry/areas.ts';
 import { orientRing, ringsOf } from '../core/geometry/rings.ts';
 import type { Gap, Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
-import { areaOf, combine } from '../solid/planar.ts';
 import { footprint, openingsAtCut } from '../solid/sections.ts';
 import { rounded } from './decimals.ts';
 import { drawDimensions, extentOf, planDimensions } from './dimensions.ts';

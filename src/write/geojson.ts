@@ -1,7 +1,7 @@
+import { areaOf } from '../core/geometry/areas.ts';
 import { ringsOf } from '../core/geometry/rings.ts';
 import { type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
 import type { Polygon, Ring, Storey } from '../core/types.ts';
-import { areaOf } from '../solid/planar.ts';
 import { rounded } from './decimals.ts';
 import type { Product } from './plan-writer.ts';
 import { roundedPolygons } from './rounded-polygons.ts';

@@ -1,4 +1,4 @@
-import { areaOf } from '../solid/planar.ts';
+import { areaOf } from '../core/geometry/areas.ts';
 import { decimal } from './decimals.ts';
 import type { Product } from './plan-writer.ts';
 

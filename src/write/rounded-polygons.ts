@@ -1,7 +1,7 @@
 import { orientRing, pointInRing, ringsOf } from '../core/geometry/rings.ts';
 import { conflictingEdges } from '../core/geometry/simplicity.ts';
 import type { Polygon, Ring } from '../core/types.ts';
-import { separatePinches } from '../solid/planar.ts';
+import { separatePinches } from '../solid/pinches.ts';
 
 /** What still meets when rounded is knocked out twice as wide each time; 3 mm in the last. */
 const ROUNDS = 4;

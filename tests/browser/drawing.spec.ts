@@ -1,8 +1,8 @@
 import { expect, test } from '@playwright/test';
 import { build } from 'vite';
+import { areaOf } from '../../src/core/geometry/areas.ts';
 import type { Operation, Polygon, Solid, SolidGroup, Storey } from '../../src/core/types.ts';
 import { checkSolid } from '../../src/solid/check-solid.ts';
-import { areaOf } from '../../src/solid/planar.ts';
 import { wallSection } from '../../src/solid/sections.ts';
 import { writeMinimalSvg } from '../../src/write/minimal-svg.ts';
 import { disc, rectangle, reversed, secondary, wallAround } from '../unit/solid/plans.ts';

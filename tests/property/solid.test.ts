@@ -1,13 +1,13 @@
 import fc from 'fast-check';
 import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { expect, test } from 'vitest';
+import { areaOf } from '../../src/core/geometry/areas.ts';
 import { polygonArea } from '../../src/core/geometry/rings.ts';
 import type { Opening, Operation, Ring, SecondaryBoundary, Storey } from '../../src/core/types.ts';
 import { checkSolid } from '../../src/solid/check-solid.ts';
 import { extrude } from '../../src/solid/extrude.ts';
 import { makeSolid } from '../../src/solid/make-solid.ts';
 import { openingBoxes } from '../../src/solid/opening-boxes.ts';
-import { areaOf } from '../../src/solid/planar.ts';
 import { wallSection } from '../../src/solid/sections.ts';
 import { polygonProblems } from '../invariants.ts';
 import { manifoldKernel, oraclePrism, readGroup } from '../unit/solid/manifold-oracle.ts';

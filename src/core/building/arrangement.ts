@@ -96,7 +96,10 @@ function cutSegments(segments: readonly Segment[]): Cut {
   const chains = segments.map((segment, i) => {
     const chain: number[] = [];
     for (const t of cuts[i].sort((p, q) => p - q)) {
-      const place = places.add(segment.ax + t * (segment.bx - segment.ax), segment.ay + t * (segment.by - segment.ay));
+      const place = places.add(
+        segment.ax + t * (segment.bx - segment.ax),
+        segment.ay + t * (segment.by - segment.ay),
+      );
       if (chain[chain.length - 1] !== place) chain.push(place);
     }
     return chain;
@@ -123,11 +126,17 @@ function crossing(s: Segment, t: Segment, ofS: number[], ofT: number[]): void {
   }
   // Parallel: the ends of one that lie on the other.
   if (Math.abs(dx * sy - dy * sx) > SAME_PLACE * lengthS) return;
-  for (const [px, py] of [[t.ax, t.ay], [t.bx, t.by]]) {
+  for (const [px, py] of [
+    [t.ax, t.ay],
+    [t.bx, t.by],
+  ]) {
     const u = ((px - s.ax) * sx + (py - s.ay) * sy) / lengthS ** 2;
     if (u > 0 && u < 1) ofS.push(u);
   }
-  for (const [px, py] of [[s.ax, s.ay], [s.bx, s.by]]) {
+  for (const [px, py] of [
+    [s.ax, s.ay],
+    [s.bx, s.by],
+  ]) {
     const v = ((px - t.ax) * tx + (py - t.ay) * ty) / lengthT ** 2;
     if (v > 0 && v < 1) ofT.push(v);
   }
@@ -213,7 +222,16 @@ function traceFaces({ xs, ys }: Places, a: number[], b: number[], lines: number[
     faceEdge.push(h);
     areas.push(area / 2);
   }
-  const traced = { x, y, origin, next, face, lines, faceEdge: Int32Array.from(faceEdge), areas: Float64Array.from(areas) };
+  const traced = {
+    x,
+    y,
+    origin,
+    next,
+    face,
+    lines,
+    faceEdge: Int32Array.from(faceEdge),
+    areas: Float64Array.from(areas),
+  };
   return { ...traced, holes: nestOutsides(traced, outsides) };
 }
 
@@ -272,14 +290,18 @@ function isInFace({ x, y, origin, next, faceEdge }: Traced, f: number, px: numbe
   do {
     const [u, v] = [origin[h], origin[h ^ 1]];
     if (u < 0) break;
-    if (y[u] > py !== y[v] > py && px < x[u] + ((py - y[u]) / (y[v] - y[u])) * (x[v] - x[u])) isInside = !isInside;
+    if (y[u] > py !== y[v] > py && px < x[u] + ((py - y[u]) / (y[v] - y[u])) * (x[v] - x[u]))
+      isInside = !isInside;
     h = next[h];
   } while (h !== faceEdge[f]);
   return isInside;
 }
 
 /** The ring that half edge `h` is part of. */
-export function ringFrom({ x, y, origin, next }: Pick<Arrangement, 'x' | 'y' | 'origin' | 'next'>, h: number): Ring {
+export function ringFrom(
+  { x, y, origin, next }: Pick<Arrangement, 'x' | 'y' | 'origin' | 'next'>,
+  h: number,
+): Ring {
   const ring: number[] = [];
   let g = h;
   do {

@@ -33,7 +33,16 @@ function chordsOfArc({ centres }: HeightColumns, arc: CurvedFace): Face[] {
     const half = radius * Math.sin(turn / 2);
     const middle = cy * nx - cx * ny;
     const offset = cx * nx + cy * ny + radius * Math.cos(turn / 2);
-    return { nx, ny, offset, from: middle - half, to: middle + half, noise, support: own.length, members: own };
+    return {
+      nx,
+      ny,
+      offset,
+      from: middle - half,
+      to: middle + half,
+      noise,
+      support: own.length,
+      members: own,
+    };
   });
 }
 

@@ -1,5 +1,5 @@
-import { isSimpleRing } from '../geometry/simplicity.ts';
 import { lineIntersection } from '../geometry/segments.ts';
+import { isSimpleRing } from '../geometry/simplicity.ts';
 import type { Ring } from '../types.ts';
 
 /** Edges shorter than this are no shape of a wall but a seam of two fits, m. */

@@ -60,7 +60,9 @@ export function supportAlong(
     if (seen[2 * k] === 0 && seen[2 * k + 1] === 0) continue;
     const along = from + (k + 0.5) * STEP;
     const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
-    const [left, right] = [-BESIDE, BESIDE].map((aside) => ceiling.at(x + aside * face.nx, y + aside * face.ny));
+    const [left, right] = [-BESIDE, BESIDE].map((aside) =>
+      ceiling.at(x + aside * face.nx, y + aside * face.ny),
+    );
     shares[k] = standingShare(columns, seen, k, Math.min(left, right));
   }
   const parting = ceilingParting(cloud, columns, face, { from, count });

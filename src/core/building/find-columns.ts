@@ -50,7 +50,9 @@ function standingColumns(columns: HeightColumns, ceiling: LocalCeiling): Uint8Ar
 
 function insideRooms({ centres }: HeightColumns, c: number, rooms: readonly Polygon[]): boolean {
   const [x, y] = [centres[2 * c], centres[2 * c + 1]];
-  return rooms.some((room) => pointInPolygon(x, y, { ...room, holes: [] }) > 0 && distanceToRing(x, y, room.outer) > OFF_WALL);
+  return rooms.some(
+    (room) => pointInPolygon(x, y, { ...room, holes: [] }) > 0 && distanceToRing(x, y, room.outer) > OFF_WALL,
+  );
 }
 
 /** Columns that touch, or nearly. */
@@ -74,7 +76,11 @@ function groupsOf({ table }: HeightColumns, members: readonly number[]): number[
   return groups;
 }
 
-function structureOf(cloud: PointCloud, columns: HeightColumns, group: readonly number[]): SecondaryBoundary | null {
+function structureOf(
+  cloud: PointCloud,
+  columns: HeightColumns,
+  group: readonly number[],
+): SecondaryBoundary | null {
   if (group.length < FEWEST) return null;
   const { masks, bins } = columns;
   let standing = 0;
@@ -96,10 +102,15 @@ function outlineOf(xy: Float64Array): Ring {
   return completeShell(xy) ?? convexHull(xy);
 }
 
-function pointsOf({ positions }: PointCloud, { points, start }: HeightColumns, group: readonly number[]): Float64Array {
+function pointsOf(
+  { positions }: PointCloud,
+  { points, start }: HeightColumns,
+  group: readonly number[],
+): Float64Array {
   const xy: number[] = [];
   for (const c of group) {
-    for (let k = start[c]; k < start[c + 1]; k++) xy.push(positions[3 * points[k]], positions[3 * points[k] + 1]);
+    for (let k = start[c]; k < start[c + 1]; k++)
+      xy.push(positions[3 * points[k]], positions[3 * points[k] + 1]);
   }
   return Float64Array.from(xy);
 }

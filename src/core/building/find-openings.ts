@@ -170,7 +170,8 @@ interface Part {
 function partsOf(look: WallLook, hole: Void): Part[] {
   const jambs = jambsIn(look, hole);
   const ends = jambs.map((at) => ({ at, isJamb: true }));
-  if (!jambs.some((at) => Math.abs(at - hole.from) <= JAMB_REACH)) ends.unshift({ at: hole.from, isJamb: false });
+  if (!jambs.some((at) => Math.abs(at - hole.from) <= JAMB_REACH))
+    ends.unshift({ at: hole.from, isJamb: false });
   if (!jambs.some((at) => Math.abs(at - hole.to) <= JAMB_REACH)) ends.push({ at: hole.to, isJamb: false });
   const parts: Part[] = [];
   for (let k = 1; k < ends.length; k++) {
@@ -200,13 +201,26 @@ function jambsIn({ strip }: WallLook, { reveals }: Void): number[] {
   return kept.sort((a, b) => a - b);
 }
 
-function openingIn(look: WallLook, { reveals }: Void, { from, to, jambs }: Part, band: number): FoundOpening | null {
+function openingIn(
+  look: WallLook,
+  { reveals }: Void,
+  { from, to, jambs }: Part,
+  band: number,
+): FoundOpening | null {
   const { strip, thickness, ceiling } = look;
   const margin = Math.min(0.1, (to - from) / 4);
   const between = reveals.filter((i) => strip.along[i] > from + margin && strip.along[i] < to - margin);
   const width = to - from - 2 * margin;
-  const head = levelOf(strip, between.filter((i) => strip.high[i] > LOOK_TO - 0.05), width);
-  const sill = levelOf(strip, between.filter((i) => strip.high[i] < LOOK_FROM + 0.05), width);
+  const head = levelOf(
+    strip,
+    between.filter((i) => strip.high[i] > LOOK_TO - 0.05),
+    width,
+  );
+  const sill = levelOf(
+    strip,
+    between.filter((i) => strip.high[i] < LOOK_FROM + 0.05),
+    width,
+  );
   const through = throughShare(look, from + margin, to - margin);
   const isPaired = Number.isFinite(thickness);
   const isSeen = head.share >= LEVEL_SHARE || sill.share >= LEVEL_SHARE;
@@ -217,14 +231,18 @@ function openingIn(look: WallLook, { reveals }: Void, { from, to, jambs }: Part,
   if (top - bottom < LEAST_OPEN) return null;
   const isLow = bottom <= DOOR_SILL && top >= LEAST_HEAD;
   const type = !isLow ? 'window' : ceiling - top <= NO_LINTEL ? 'passage' : 'door';
-  const evidence = jambs + (head.share >= LEVEL_SHARE ? 1 : 0) + (isLow ? through : sill.share >= LEVEL_SHARE ? 1 : 0);
+  const evidence =
+    jambs + (head.share >= LEVEL_SHARE ? 1 : 0) + (isLow ? through : sill.share >= LEVEL_SHARE ? 1 : 0);
   const ends = jambs === 2 ? { from, to } : { from: from, to: to };
   return {
     ...ends,
     type,
     sill: isLow ? 0 : bottom,
     head: top,
-    reveal: deepest(strip, reveals.filter((i) => strip.along[i] > from - 0.05 && strip.along[i] < to + 0.05)),
+    reveal: deepest(
+      strip,
+      reveals.filter((i) => strip.along[i] > from - 0.05 && strip.along[i] < to + 0.05),
+    ),
     confidence: Math.min(1, evidence / 3),
   };
 }
@@ -286,7 +304,14 @@ function faceHeights(
   const hits = new Uint8Array(rows * columns);
   for (let i = 0; i < strip.count; i++) {
     const isOn = Math.abs(strip.deep[i]) <= band || Math.abs(strip.deep[i] - thickness) <= band;
-    if (!isOn || strip.along[i] < begin || strip.along[i] >= end || strip.high[i] < 0 || strip.high[i] >= ceiling) continue;
+    if (
+      !isOn ||
+      strip.along[i] < begin ||
+      strip.along[i] >= end ||
+      strip.high[i] < 0 ||
+      strip.high[i] >= ceiling
+    )
+      continue;
     const column = Math.min(columns - 1, Math.floor((strip.along[i] - begin) / STEP));
     hits[Math.min(rows - 1, Math.floor(strip.high[i] / STEP)) * columns + column] = 1;
   }

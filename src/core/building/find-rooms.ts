@@ -1,12 +1,12 @@
 import type { PointCloud } from '../types.ts';
 import { type Arrangement, arrange, type Segment } from './arrangement.ts';
-import { type FaceSupport, supportAlong } from './face-support.ts';
 import { chordsOf, tieOf } from './chords.ts';
+import { type FaceSupport, supportAlong } from './face-support.ts';
 import { findFaces } from './find-faces.ts';
 import type { Face } from './fit-line.ts';
 import type { HeightColumns } from './height-columns.ts';
-import { localCeiling } from './local-ceiling.ts';
 import { labelSpace, type Space } from './label-space.ts';
+import { localCeiling } from './local-ceiling.ts';
 import { missingBacks } from './missing-backs.ts';
 import { type SeenSpace, seenSpace } from './seen-space.ts';
 import { settleFaces } from './settle-faces.ts';
@@ -72,7 +72,13 @@ function subdivide({ faces, supports }: WallFaces, columns: HeightColumns, seen:
 
 function segmentOf({ nx, ny, offset, from, to, reach }: WallFace, line: number): Segment {
   const [a, b] = [from - reach, to + reach];
-  return { ax: nx * offset - ny * a, ay: ny * offset + nx * a, bx: nx * offset - ny * b, by: ny * offset + nx * b, line };
+  return {
+    ax: nx * offset - ny * a,
+    ay: ny * offset + nx * a,
+    bx: nx * offset - ny * b,
+    by: ny * offset + nx * b,
+    line,
+  };
 }
 
 interface Shares {
@@ -81,7 +87,11 @@ interface Shares {
   readonly shares: Float64Array;
 }
 
-function edgeSupport({ x, y, origin, lines }: Arrangement, faces: readonly Face[], supports: readonly Shares[]): Float64Array {
+function edgeSupport(
+  { x, y, origin, lines }: Arrangement,
+  faces: readonly Face[],
+  supports: readonly Shares[],
+): Float64Array {
   return Float64Array.from(lines, (own, e) => {
     const [u, v] = [origin[2 * e], origin[2 * e + 1]];
     let best = 0;
@@ -109,4 +119,3 @@ function standsAsWall(shares: readonly number[]): boolean {
   }
   return wall > 0 && wall >= LEAST_WALL_SHARE * any;
 }
-

@@ -45,7 +45,10 @@ export function findStoreys(cloud: PointCloud, kept: Uint32Array): readonly Stor
     if (area < LEAST_FLOOR_SHARE * largest || top - z < LEAST_HEIGHT) continue;
     const below = floors[floors.length - 1];
     const hasCeilingBelow = surfaces.some(
-      (other) => other.bin < bin && z - heightAt(other.bin) <= THICKEST_SLAB && heightAt(other.bin) - below >= LEAST_HEIGHT,
+      (other) =>
+        other.bin < bin &&
+        z - heightAt(other.bin) <= THICKEST_SLAB &&
+        heightAt(other.bin) - below >= LEAST_HEIGHT,
     );
     if (floors.length === 0 || hasCeilingBelow) floors.push(z);
   }

@@ -30,7 +30,11 @@ export interface CurvedFace extends Arc {
 }
 
 /** Circle of least squares of squared distances through weighted points ([Kåsa76]); null where they lie in a line. */
-export function circleThrough(xs: ArrayLike<number>, ys: ArrayLike<number>, ws: ArrayLike<number>): Circle | null {
+export function circleThrough(
+  xs: ArrayLike<number>,
+  ys: ArrayLike<number>,
+  ws: ArrayLike<number>,
+): Circle | null {
   let [sw, mx, my] = [0, 0, 0];
   for (let i = 0; i < xs.length; i++) {
     sw += ws[i];

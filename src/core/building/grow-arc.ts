@@ -64,7 +64,10 @@ function connectedAround({ columns, angle, isFree }: WallColumns, seed: number):
       for (let dx = -2; dx <= 2; dx++) {
         const c = table.find(ix + dx, iy + dy, 0);
         if (c < 0 || isFree[c] === 0 || seen.has(c)) continue;
-        const away = Math.hypot(centres[2 * c] - centres[2 * seed], centres[2 * c + 1] - centres[2 * seed + 1]);
+        const away = Math.hypot(
+          centres[2 * c] - centres[2 * seed],
+          centres[2 * c + 1] - centres[2 * seed + 1],
+        );
         if (away > FIRST_REACH || !(turnBetween(angle[c], angle[seed]) <= FIRST_TURN)) continue;
         seen.add(c);
         found.push(c);
@@ -75,7 +78,11 @@ function connectedAround({ columns, angle, isFree }: WallColumns, seed: number):
 }
 
 /** Columns along a circle to both sides of a column, as far as they follow each other. */
-function alongCircle(walls: WallColumns, circle: { cx: number; cy: number; radius: number }, seed: number): Arc | null {
+function alongCircle(
+  walls: WallColumns,
+  circle: { cx: number; cy: number; radius: number },
+  seed: number,
+): Arc | null {
   const { columns } = walls;
   const { centres, size } = columns;
   const { cx, cy, radius } = circle;
@@ -102,7 +109,10 @@ function collectAt(
   const { table, centres, size } = columns;
   let isAny = false;
   for (let across = -BAND; across <= BAND; across += size / 2) {
-    const [x, y] = [cx + (radius + across) * Math.cos(direction), cy + (radius + across) * Math.sin(direction)];
+    const [x, y] = [
+      cx + (radius + across) * Math.cos(direction),
+      cy + (radius + across) * Math.sin(direction),
+    ];
     const c = table.find(Math.floor(x / size), Math.floor(y / size), 0);
     if (c < 0 || isFree[c] === 0) continue;
     if (Math.abs(Math.hypot(centres[2 * c] - cx, centres[2 * c + 1] - cy) - radius) > BAND) continue;

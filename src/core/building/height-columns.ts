@@ -97,7 +97,8 @@ export function heightColumns(cloud: PointCloud, kept: Uint32Array, heights: Sto
   }
   const overhead = overheads(masks, planes, heights, { low, binsPerMetre });
   const overStart = new Uint32Array(count + 1);
-  const isOver = (column: number, z: number) => !Number.isNaN(overhead[column]) && z > overhead[column] - OVER_REACH;
+  const isOver = (column: number, z: number) =>
+    !Number.isNaN(overhead[column]) && z > overhead[column] - OVER_REACH;
   for (let k = 0; k < kept.length; k++) {
     const column = columnOf[k];
     if (column >= 0 && isOver(column, positions[3 * kept[k] + 2])) overStart[column + 1]++;
@@ -153,7 +154,8 @@ function overheads(
 ): Float32Array {
   return Float32Array.from(planes, (plane, c) => {
     if (plane & 2) return ceiling;
-    const highest = masks[2 * c + 1] !== 0 ? WORD + 31 - Math.clz32(masks[2 * c + 1]) : 31 - Math.clz32(masks[2 * c]);
+    const highest =
+      masks[2 * c + 1] !== 0 ? WORD + 31 - Math.clz32(masks[2 * c + 1]) : 31 - Math.clz32(masks[2 * c]);
     const z = low + (highest + 0.5) / binsPerMetre;
     if (z < floor + LEAST_OVERHEAD) return Number.NaN;
     for (let bin = highest - CLEAR_BINS; bin < highest; bin++) if (hasBin(masks, c, bin)) return Number.NaN;
@@ -178,7 +180,11 @@ function columnSize(positions: Float32Array, kept: Uint32Array, { floor, ceiling
   for (const i of kept) {
     const z = positions[3 * i + 2];
     if (Math.abs(z - floor) > PLANE_REACH && Math.abs(z - ceiling) > PLANE_REACH) continue;
-    cells.add(Math.floor(positions[3 * i] / BIN), Math.floor(positions[3 * i + 1] / BIN), z < (floor + ceiling) / 2 ? 0 : 1);
+    cells.add(
+      Math.floor(positions[3 * i] / BIN),
+      Math.floor(positions[3 * i + 1] / BIN),
+      z < (floor + ceiling) / 2 ? 0 : 1,
+    );
     points++;
   }
   const spacing = Math.sqrt((cells.count * BIN * BIN) / Math.max(1, points));

@@ -23,7 +23,12 @@ export interface Space {
  *
  * @param support share of wall along each edge, 0 to 1
  */
-export function labelSpace(arrangement: Arrangement, columns: HeightColumns, isSeen: Uint8Array, support: Float64Array): Space {
+export function labelSpace(
+  arrangement: Arrangement,
+  columns: HeightColumns,
+  isSeen: Uint8Array,
+  support: Float64Array,
+): Space {
   const seen = seenAreas(arrangement, columns, isSeen);
   const { face, areas, x, y, origin } = arrangement;
   const cut = new MinCut(areas.length);

@@ -1,6 +1,6 @@
 import type { FaceSupport } from './face-support.ts';
 import type { FoundRooms, WallFace, WallFaces } from './find-rooms.ts';
-import { hasPlane, type HeightColumns } from './height-columns.ts';
+import { type HeightColumns, hasPlane } from './height-columns.ts';
 import { pairFaces } from './pair-faces.ts';
 import { edgesOf } from './room-edges.ts';
 import { WALL_SHARE } from './taken-walls.ts';
@@ -33,7 +33,15 @@ export function missingBacks(found: FoundRooms, columns: HeightColumns): WallFac
       const face = found.faces[line];
       const side = blindSide(columns, face, from, to);
       if (side === 0) continue;
-      faces.push({ ...face, offset: face.offset + side * thickness, from, to, reach: OVERLAP, members: [], support: 0 });
+      faces.push({
+        ...face,
+        offset: face.offset + side * thickness,
+        from,
+        to,
+        reach: OVERLAP,
+        members: [],
+        support: 0,
+      });
       const shares = new Float64Array(Math.ceil((to - from + 2 * OVERLAP) / STEP)).fill(WALL_SHARE + 0.3);
       supports.push({ from: from - OVERLAP, step: STEP, shares });
     }
@@ -42,12 +50,19 @@ export function missingBacks(found: FoundRooms, columns: HeightColumns): WallFac
 }
 
 function usualThickness({ rooms }: FoundRooms): number {
-  const pairs = pairFaces(edgesOf(rooms.map(({ outline }) => outline))).sort((a, b) => a.thickness - b.thickness);
+  const pairs = pairFaces(edgesOf(rooms.map(({ outline }) => outline))).sort(
+    (a, b) => a.thickness - b.thickness,
+  );
   return pairs.length > 0 ? pairs[pairs.length >> 1].thickness : USUAL_THICKNESS;
 }
 
 /** Stretches of lines along which two rooms meet at a wall. */
-function sharedStretches({ arrangement, support, space, faces }: FoundRooms): Map<number, [number, number][]> {
+function sharedStretches({
+  arrangement,
+  support,
+  space,
+  faces,
+}: FoundRooms): Map<number, [number, number][]> {
   const { x, y, origin, face, lines } = arrangement;
   const found = new Map<number, [number, number][]>();
   for (let e = 0; e < support.length; e++) {
@@ -60,7 +75,11 @@ function sharedStretches({ arrangement, support, space, faces }: FoundRooms): Ma
     known.push([ends[0], ends[1]]);
     found.set(line, known);
   }
-  for (const [line, stretches] of found) found.set(line, merged(stretches).filter(([from, to]) => to - from >= SHORTEST));
+  for (const [line, stretches] of found)
+    found.set(
+      line,
+      merged(stretches).filter(([from, to]) => to - from >= SHORTEST),
+    );
   return found;
 }
 
@@ -75,12 +94,20 @@ function merged(stretches: [number, number][]): [number, number][] {
 }
 
 /** The side of a face on which nothing was seen: 1, −1, or 0 where both sides or none were. */
-function blindSide(columns: HeightColumns, { nx, ny, offset }: WallFace, from: number, to: number): 1 | -1 | 0 {
+function blindSide(
+  columns: HeightColumns,
+  { nx, ny, offset }: WallFace,
+  from: number,
+  to: number,
+): 1 | -1 | 0 {
   const seen = [1, -1].map((side) => {
     let count = 0;
     for (let along = from + STEP / 2; along < to; along += STEP) {
       for (let across = NEAR; across <= FAR; across += (FAR - NEAR) / 2) {
-        const [x, y] = [nx * (offset + side * across) - ny * along, ny * (offset + side * across) + nx * along];
+        const [x, y] = [
+          nx * (offset + side * across) - ny * along,
+          ny * (offset + side * across) + nx * along,
+        ];
         if (hasPlane(columns, x, y)) count++;
       }
     }

@@ -1,6 +1,6 @@
 import type { Opening, PointCloud, Polygon, Room, SecondaryBoundary, Wall } from '../types.ts';
 import { findColumns } from './find-columns.ts';
-import { findOpenings, type FoundOpening } from './find-openings.ts';
+import { type FoundOpening, findOpenings } from './find-openings.ts';
 import { findRooms } from './find-rooms.ts';
 import type { StoreyHeights } from './find-storeys.ts';
 import { type HeightColumns, hasPlane, heightColumns } from './height-columns.ts';
@@ -38,7 +38,14 @@ export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: Storey
     const { face, from, to, thickness } = pair;
     const stretch = { ...startOf(face, from), ux: face.ux, uy: face.uy, length: to - from, depth: thickness };
     const strip = wallStrip(cloud, columns, stretch);
-    for (const opening of findOpenings({ strip, length: to - from, thickness, noise, ceiling, isThrough: throughAt(columns, stretch, thickness / 2) })) {
+    for (const opening of findOpenings({
+      strip,
+      length: to - from,
+      thickness,
+      noise,
+      ceiling,
+      isThrough: throughAt(columns, stretch, thickness / 2),
+    })) {
       openings.push(placed(opening, stretch, thickness / 2));
     }
     walls.push({ outline: { outer: pairRing(pair), holes: [] }, thickness, confidence: 1 });
@@ -46,16 +53,37 @@ export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: Storey
   const outer = edgesOf(primary).map((edge) => {
     const stretch = { x: edge.ax, y: edge.ay, ux: edge.ux, uy: edge.uy, length: edge.length, depth: DEEPEST };
     const strip = wallStrip(cloud, columns, stretch);
-    return { edge, stretch, openings: findOpenings({ strip, length: edge.length, thickness: Infinity, noise, ceiling, isThrough: () => false }) };
+    return {
+      edge,
+      stretch,
+      openings: findOpenings({
+        strip,
+        length: edge.length,
+        thickness: Infinity,
+        noise,
+        ceiling,
+        isThrough: () => false,
+      }),
+    };
   });
-  const reveals = outer.flatMap(({ openings: own }) => own.map(({ reveal }) => reveal)).filter((r) => r > 0.1);
+  const reveals = outer
+    .flatMap(({ openings: own }) => own.map(({ reveal }) => reveal))
+    .filter((r) => r > 0.1);
   const usual = reveals.length > 0 ? reveals.sort((a, b) => a - b)[reveals.length >> 1] : 0.3;
   for (const { stretch, openings: own } of outer) {
-    const mine = own.map(({ reveal }) => reveal).filter((r) => r > 0.1).sort((a, b) => a - b);
+    const mine = own
+      .map(({ reveal }) => reveal)
+      .filter((r) => r > 0.1)
+      .sort((a, b) => a - b);
     const thickness = mine.length > 0 ? mine[mine.length >> 1] : usual;
     for (const opening of own) openings.push(placed(opening, stretch, thickness / 2));
   }
-  const rooms = found.rooms.map(({ outline }, i) => ({ name: `Room ${i + 1}`, outline, height: ceiling, confidence: 1 }));
+  const rooms = found.rooms.map(({ outline }, i) => ({
+    name: `Room ${i + 1}`,
+    outline,
+    height: ceiling,
+    confidence: 1,
+  }));
   const secondary = findColumns(cloud, columns, localCeiling(columns), outlines);
   return { primary, rooms, walls, openings, secondary };
 }

@@ -1,5 +1,5 @@
 import { ClipperOffset, EndType, JoinType, type Path64, type Paths64 } from 'clipper2-ts';
-import { combine, STEPS_PER_METRE } from '../../solid/planar.ts';
+import { combine, STEPS_PER_METRE } from '../geometry/areas.ts';
 import { orientRing, signedArea } from '../geometry/rings.ts';
 import type { Polygon, Ring } from '../types.ts';
 
@@ -29,7 +29,9 @@ export function primaryOutline(rooms: readonly Polygon[], thickest: number): Pol
 function offset(polygons: readonly Polygon[], distance: number): Polygon[] {
   const origin = polygons[0].outer;
   const [x0, y0] = [Math.round(origin[0]), Math.round(origin[1])];
-  const paths: Paths64 = polygons.flatMap(({ outer, holes }) => [outer, ...holes]).map((ring) => toPath(ring, x0, y0));
+  const paths: Paths64 = polygons
+    .flatMap(({ outer, holes }) => [outer, ...holes])
+    .map((ring) => toPath(ring, x0, y0));
   const clipper = new ClipperOffset(MITRE_LIMIT);
   clipper.addPaths(paths, JoinType.Miter, EndType.Polygon);
   const grown: Paths64 = [];
@@ -37,13 +39,20 @@ function offset(polygons: readonly Polygon[], distance: number): Polygon[] {
   const rings = grown.map((path) => toRing(path, x0, y0));
   const outers = rings.filter((ring) => signedArea(ring) > 0);
   const holes = rings.filter((ring) => signedArea(ring) < 0);
-  return combine('difference', outers.map((outer) => ({ outer, holes: [] })), holes.map((hole) => ({ outer: orientRing(hole, 'counter-clockwise'), holes: [] })));
+  return combine(
+    'difference',
+    outers.map((outer) => ({ outer, holes: [] })),
+    holes.map((hole) => ({ outer: orientRing(hole, 'counter-clockwise'), holes: [] })),
+  );
 }
 
 function toPath(ring: Ring, x0: number, y0: number): Path64 {
   const path: Path64 = [];
   for (let i = 0; i < ring.length; i += 2) {
-    path.push({ x: Math.round((ring[i] - x0) * STEPS_PER_METRE), y: Math.round((ring[i + 1] - y0) * STEPS_PER_METRE) });
+    path.push({
+      x: Math.round((ring[i] - x0) * STEPS_PER_METRE),
+      y: Math.round((ring[i + 1] - y0) * STEPS_PER_METRE),
+    });
   }
   return path;
 }

@@ -16,7 +16,9 @@ export interface RoomEdge {
 
 /** The edges of outlines. Away from the room is (uy, −ux). */
 export function edgesOf(outlines: readonly Polygon[]): RoomEdge[] {
-  return outlines.flatMap(({ outer, holes }, owner) => [outer, ...holes].flatMap((ring) => edgesOfRing(ring, owner)));
+  return outlines.flatMap(({ outer, holes }, owner) =>
+    [outer, ...holes].flatMap((ring) => edgesOfRing(ring, owner)),
+  );
 }
 
 function edgesOfRing(ring: Ring, owner: number): RoomEdge[] {
@@ -25,7 +27,8 @@ function edgesOfRing(ring: Ring, owner: number): RoomEdge[] {
     const j = (i + 2) % ring.length;
     const [ax, ay, bx, by] = [ring[i], ring[i + 1], ring[j], ring[j + 1]];
     const length = Math.hypot(bx - ax, by - ay);
-    if (length > 0) edges.push({ owner, ax, ay, bx, by, length, ux: (bx - ax) / length, uy: (by - ay) / length });
+    if (length > 0)
+      edges.push({ owner, ax, ay, bx, by, length, ux: (bx - ax) / length, uy: (by - ay) / length });
   }
   return edges;
 }

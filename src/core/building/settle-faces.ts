@@ -46,7 +46,8 @@ function dropDoubles(longest: readonly Face[]): Face[] {
   const kept: Face[] = [];
   for (const face of longest) {
     const isDouble = kept.some((other) => {
-      if (turnBetween(Math.atan2(face.ny, face.nx), Math.atan2(other.ny, other.nx)) > Math.PI / 12) return false;
+      if (turnBetween(Math.atan2(face.ny, face.nx), Math.atan2(other.ny, other.nx)) > Math.PI / 12)
+        return false;
       return endsOf(face).every(([x, y]) => {
         const [along, aside] = project(other, x, y);
         const band = Math.max(SAME_FACE, 3 * other.noise);
@@ -63,7 +64,9 @@ function joinAligned(cloud: PointCloud, columns: HeightColumns, faces: readonly 
   for (const face of faces) {
     const at = joined.findIndex((other) => areAligned(other, face));
     const together =
-      at < 0 ? null : fitLine(cloud, columns, { ...joined[at], members: [...joined[at].members, ...face.members] });
+      at < 0
+        ? null
+        : fitLine(cloud, columns, { ...joined[at], members: [...joined[at].members, ...face.members] });
     if (together && together.noise <= 1.25 * Math.max(joined[at].noise, face.noise)) joined[at] = together;
     else joined.push(face);
   }
@@ -71,7 +74,8 @@ function joinAligned(cloud: PointCloud, columns: HeightColumns, faces: readonly 
 }
 
 function areAligned(a: Face, b: Face): boolean {
-  if (turnBetween(Math.atan2(a.ny, a.nx), Math.atan2(b.ny, b.nx)) > SAME_TURN + error(a) + error(b)) return false;
+  if (turnBetween(Math.atan2(a.ny, a.nx), Math.atan2(b.ny, b.nx)) > SAME_TURN + error(a) + error(b))
+    return false;
   const [[from], [to]] = endsOf(b).map(([x, y]) => project(a, x, y));
   const gap = Math.max(Math.min(from, to) - a.to, a.from - Math.max(from, to));
   if (gap > LONGEST_GAP) return false;
@@ -91,7 +95,8 @@ function squareUp(faces: readonly Face[]): Face[] {
     for (const frame of frames) {
       const steps = Math.round((own - frame.angle) / (Math.PI / 2));
       const square = frame.angle + steps * (Math.PI / 2);
-      if (Math.abs(own - square) <= Math.min(MOST_SNAP, ERRORS * (error(face) + frame.error))) return turned(face, square);
+      if (Math.abs(own - square) <= Math.min(MOST_SNAP, ERRORS * (error(face) + frame.error)))
+        return turned(face, square);
     }
     return face;
   });

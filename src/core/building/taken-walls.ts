@@ -32,12 +32,20 @@ const DEEPEST_NICHE = 0.75;
  * Support of faces with what no point shows but the building tells: a wall goes on behind furniture, over a passage, and where
  * its other face was seen.
  */
-export function takenSupport(faces: readonly Face[], supports: readonly FaceSupport[], seen: SeenSpace): FaceSupport[] {
+export function takenSupport(
+  faces: readonly Face[],
+  supports: readonly FaceSupport[],
+  seen: SeenSpace,
+): FaceSupport[] {
   return goOn(faces, withPartners(faces, supports, seen), supports, seen);
 }
 
 /** Adds what a wall's other face tells of it. */
-function withPartners(faces: readonly Face[], supports: readonly FaceSupport[], seen: SeenSpace): FaceSupport[] {
+function withPartners(
+  faces: readonly Face[],
+  supports: readonly FaceSupport[],
+  seen: SeenSpace,
+): FaceSupport[] {
   return supports.map((support, i) => {
     const face = faces[i];
     const others = faces.flatMap((other, j) => (j !== i && isParallel(face, other) ? [j] : []));
@@ -83,7 +91,10 @@ function backedStretches({ faces, supports, i, others, side }: Backing): BackedB
     let [nearest, least] = [-1, THICKEST_WALL];
     for (const j of others) {
       const other = faces[j];
-      const aside = side * (other.offset - x * other.nx - y * other.ny) * Math.sign(face.nx * other.nx + face.ny * other.ny);
+      const aside =
+        side *
+        (other.offset - x * other.nx - y * other.ny) *
+        Math.sign(face.nx * other.nx + face.ny * other.ny);
       if (aside <= 0 || aside >= least || !wallAt(supports[j], y * other.nx - x * other.ny)) continue;
       [nearest, least] = [j, aside];
     }
@@ -100,7 +111,8 @@ function backedStretches({ faces, supports, i, others, side }: Backing): BackedB
 function hidesAWall({ nx, ny, offset }: Face, stretch: readonly BackedBit[], seen: SeenSpace): boolean {
   let [open, beyond] = [0, 0];
   for (const { along, aside } of stretch) {
-    const at = (across: number) => seen.at(nx * (offset + across) - ny * along, ny * (offset + across) + nx * along);
+    const at = (across: number) =>
+      seen.at(nx * (offset + across) - ny * along, ny * (offset + across) + nx * along);
     if (at(aside / 2)) open++;
     if (at(aside + Math.sign(aside) * JUST_BEYOND)) beyond++;
   }
@@ -195,4 +207,3 @@ function passesBy(
 function wallAt({ from, step, shares }: FaceSupport, along: number): boolean {
   return (shares[Math.floor((along - from) / step)] ?? 0) >= WALL_SHARE;
 }
-

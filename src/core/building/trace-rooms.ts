@@ -1,7 +1,7 @@
-import { cleanRing } from "./clean-ring.ts";
 import { perimeter, signedArea } from '../geometry/rings.ts';
 import type { Polygon, Ring } from '../types.ts';
 import type { Arrangement } from './arrangement.ts';
+import { cleanRing } from './clean-ring.ts';
 
 /** Smallest room, m²: a lavatory or a store. */
 const SMALLEST_ROOM = 0.8;
@@ -30,7 +30,9 @@ export function traceRooms(arrangement: Arrangement, isRoom: Uint8Array, support
   });
   return [...members].flatMap(([g, faces]) => {
     const rings = outlineOf(arrangement, group, g, faces);
-    const outer = rings.filter((ring) => signedArea(ring) > 0).sort((a, b) => signedArea(b) - signedArea(a))[0];
+    const outer = rings
+      .filter((ring) => signedArea(ring) > 0)
+      .sort((a, b) => signedArea(b) - signedArea(a))[0];
     if (!outer || signedArea(outer) < SMALLEST_ROOM) return [];
     if ((2 * signedArea(outer)) / perimeter(outer) < NARROWEST_ROOM / 1.1) return [];
     const outline = { outer, holes: rings.filter((ring) => signedArea(ring) < 0) };

@@ -53,5 +53,10 @@ export function wallStrip(cloud: PointCloud, columns: HeightColumns, stretch: Wa
       high[count++] = positions[i + 2] - heights.floor;
     }
   }
-  return { count, along: along.subarray(0, count), deep: deep.subarray(0, count), high: high.subarray(0, count) };
+  return {
+    count,
+    along: along.subarray(0, count),
+    deep: deep.subarray(0, count),
+    high: high.subarray(0, count),
+  };
 }

@@ -1,6 +1,6 @@
+import { combine } from '../../core/geometry/areas.ts';
 import { isCounterClockwise, orientRing } from '../../core/geometry/rings.ts';
 import type { Polygon } from '../../core/types.ts';
-import { combine } from '../../solid/planar.ts';
 import type { GroupRings, SolidSlab } from './solid-slabs.ts';
 
 /**

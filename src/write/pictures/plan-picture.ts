@@ -1,8 +1,8 @@
 import { countOf } from '../../core/count-words.ts';
+import { areaOf, combine } from '../../core/geometry/areas.ts';
 import { boundsOfAll, ringsOf } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
 import type { SecondaryBoundary } from '../../core/types.ts';
-import { areaOf, combine } from '../../solid/planar.ts';
 import { wallSection } from '../../solid/sections.ts';
 import { hatch } from '../hatch.ts';
 import { HATCHES } from '../secondary-hatch.ts';

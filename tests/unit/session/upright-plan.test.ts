@@ -11,12 +11,12 @@ import {
 import { DEFAULT_POSE, type Pose, toSource } from '../../../fixtures/simulator/pose.ts';
 import { DEFAULT_SCAN, scanBuilding } from '../../../fixtures/simulator/scan.ts';
 import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
+import { areaOf, combine } from '../../../src/core/geometry/areas.ts';
 import { perimeter } from '../../../src/core/geometry/rings.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
 import type { Axis, Polygon } from '../../../src/core/types.ts';
 import { readScan } from '../../../src/read/read-scan.ts';
 import { Session } from '../../../src/session/session.ts';
-import { areaOf, combine } from '../../../src/solid/planar.ts';
 import { SCENES } from '../../scenes.ts';
 import { memorySource } from '../read/memory-source.ts';
 

@@ -1,10 +1,10 @@
 import { expect, test } from 'vitest';
+import { areaOf, combine } from '../../../src/core/geometry/areas.ts';
 import { resolveOptions } from '../../../src/core/options.ts';
 import { type DoorSite, placeDoors } from '../../../src/core/place-doors.ts';
 import { penReach, strokeContour } from '../../../src/core/plan-walls.ts';
 import type { Opening, Polygon, Ring } from '../../../src/core/types.ts';
 import { openingBoxes } from '../../../src/solid/opening-boxes.ts';
-import { areaOf, combine } from '../../../src/solid/planar.ts';
 import { disc, planOf, rectangle, ring } from './plans.ts';
 
 /** The walls along an outline, its doors and what each takes out of the walls. */

@@ -1,13 +1,13 @@
 import { expect, test } from 'vitest';
 import { PAPER_SLICES, type PaperSliceName, paperSlice } from '../../../fixtures/simulator/slices.ts';
 import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
+import { areaOf, combine } from '../../../src/core/geometry/areas.ts';
 import type { Options } from '../../../src/core/params.ts';
 import type { Storey } from '../../../src/core/types.ts';
 import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import type { RunResult } from '../../../src/session/result.ts';
 import { Session } from '../../../src/session/session.ts';
 import { checkSolid } from '../../../src/solid/check-solid.ts';
-import { areaOf, combine } from '../../../src/solid/planar.ts';
 import { carve, footprint, wallSection } from '../../../src/solid/sections.ts';
 
 /** Most triangles a set may take, floor included; the paper's own: 45,702 and 15,034. */

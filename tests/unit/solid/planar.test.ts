@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
+import { areaOf, combine } from '../../../src/core/geometry/areas.ts';
 import type { Polygon } from '../../../src/core/types.ts';
-import { areaOf, combine, separatePinches } from '../../../src/solid/planar.ts';
+import { separatePinches } from '../../../src/solid/pinches.ts';
 import { polygonProblems } from '../../invariants.ts';
 import { rectangle, reversed, rotated } from './plans.ts';
 

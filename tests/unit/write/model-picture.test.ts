@@ -1,10 +1,10 @@
 import { describe, expect, test } from 'vitest';
+import { areaOf } from '../../../src/core/geometry/areas.ts';
 import { boundsOf, pointInPolygon } from '../../../src/core/geometry/rings.ts';
 import { createRandom } from '../../../src/core/random.ts';
 import type { Solid, SolidGroup } from '../../../src/core/types.ts';
 import { extrude } from '../../../src/solid/extrude.ts';
 import { makeSolid } from '../../../src/solid/make-solid.ts';
-import { areaOf } from '../../../src/solid/planar.ts';
 import { sideColour, topColour } from '../../../src/write/pictures/model-clay.ts';
 import { type Eye, makeEye } from '../../../src/write/pictures/model-eye.ts';
 import { drawModel } from '../../../src/write/pictures/model-picture.ts';

@@ -1,23 +1,9 @@
-import { Clipper64, ClipType, FillRule, type Path64, type Paths64, PolyTree64 } from 'clipper2-ts';
-import { polygonsOf } from '../core/geometry/poly-tree.ts';
-import {
-  type Bounds,
-  boundsOfAll,
-  orientRing,
-  perimeter,
-  polygonArea,
-  ringsOf,
-  signedArea,
-  vertexCount,
-} from '../core/geometry/rings.ts';
+import { combine } from '../core/geometry/areas.ts';
+import { type Bounds, boundsOfAll, ringsOf, vertexCount } from '../core/geometry/rings.ts';
 import { cellFor, SegmentGrid } from '../core/geometry/segment-grid.ts';
 import { squaredDistanceToSegment } from '../core/geometry/segments.ts';
 import type { Polygon, Ring } from '../core/types.ts';
 
-/** Grid of the Booleans: steps of a micrometre, so lengths given in decimals come back digit for digit. */
-export const STEPS_PER_METRE = 1e6;
-/** A ring thinner than this on average is debris of rounding, not a shape. */
-const DEBRIS_WIDTH = 4 / STEPS_PER_METRE;
 /** A vertex this near an edge touches it, for all that files can tell, m: tables have 0.1 mm, GLB float32. */
 const TOUCH = 2e-4;
 /** Polygons of an area stand at least this far apart, m: well above what rounding sets apart that is meant to touch. */
@@ -26,44 +12,6 @@ const APART = 1e-5;
 const PINCH_HALF = 2.5e-4;
 /** Knocking out one pinch may make another; a handful of rounds has always been enough in the fuzz tests. */
 export const PINCH_ROUNDS = 4;
-
-/** Whole metres that are subtracted before rounding. */
-type Origin = readonly [x: number, y: number];
-
-type PlanarOperation = 'union' | 'difference' | 'intersection';
-
-const CLIP_TYPES: Record<PlanarOperation, ClipType> = {
-  union: ClipType.Union,
-  difference: ClipType.Difference,
-  intersection: ClipType.Intersection,
-};
-
-/**
- * A Boolean operation of two areas, exact on a grid of about a micrometre.
- *
- * Coordinates are rounded relative to a local origin, because the sweep is exact on integers only; clipper2-ts was
- * chosen over polygon-clipping (throws on plans), polyclip-ts (slow) and martinez (wrong).
- *
- * @param subject polygons, metres; may overlap, the area is their union
- * @param clip as `subject`
- * @returns disjoint polygons: outer rings counter-clockwise, holes clockwise, no needless vertices
- */
-export function combine(
-  operation: PlanarOperation,
-  subject: readonly Polygon[],
-  clip: readonly Polygon[] = [],
-): Polygon[] {
-  const first = subject[0]?.outer ?? clip[0]?.outer;
-  if (first === undefined) return [];
-  const origin: Origin = [Math.round(first[0]), Math.round(first[1])];
-  const clipper = new Clipper64();
-  clipper.preserveCollinear = false;
-  clipper.addSubject(toPaths(subject, origin));
-  if (clip.length > 0) clipper.addClip(toPaths(clip, origin));
-  const tree = new PolyTree64();
-  clipper.execute(CLIP_TYPES[operation], FillRule.Positive, tree);
-  return polygonsOf(tree, (path, turn) => toRing(path, origin, turn));
-}
 
 /**
  * Makes an area fit for extrusion and for files: no vertex lies on another edge or vertex.
@@ -81,42 +29,6 @@ export function separatePinches(polygons: readonly Polygon[], scale = 1): Polygo
     current = combine('difference', current, pinches);
   }
   return current;
-}
-
-/** Area of polygons that do not overlap, m². */
-export function areaOf(polygons: readonly Polygon[]): number {
-  return polygons.reduce((sum, polygon) => sum + polygonArea(polygon), 0);
-}
-
-function toPaths(polygons: readonly Polygon[], origin: Origin): Paths64 {
-  const paths: Paths64 = [];
-  const add = (ring: Ring, turn: 'counter-clockwise' | 'clockwise') => {
-    // Filled is what winds more often counter-clockwise than clockwise.
-    const turned = orientRing(ring, turn);
-    const path: Path64 = [];
-    for (let i = 0; i < turned.length; i += 2) {
-      path.push({ x: toSteps(turned[i], origin[0]), y: toSteps(turned[i + 1], origin[1]) });
-    }
-    paths.push(path);
-  };
-  for (const { outer, holes } of polygons) {
-    add(outer, 'counter-clockwise');
-    for (const hole of holes) add(hole, 'clockwise');
-  }
-  return paths;
-}
-
-const toSteps = (metres: number, origin: number): number => Math.round((metres - origin) * STEPS_PER_METRE);
-/** One division, so the result is the double nearest to the decimal. */
-const toMetres = (steps: number, origin: number): number =>
-  (origin * STEPS_PER_METRE + steps) / STEPS_PER_METRE;
-
-function toRing(path: Path64, origin: Origin, turn: 'counter-clockwise' | 'clockwise'): Ring | null {
-  const ring = Float64Array.from(
-    path.flatMap(({ x, y }) => [toMetres(x, origin[0]), toMetres(y, origin[1])]),
-  );
-  const isDebris = path.length < 3 || Math.abs(signedArea(ring)) < (perimeter(ring) / 2) * DEBRIS_WIDTH;
-  return isDebris ? null : orientRing(ring, turn);
 }
 
 /** Squares around the vertices of an area that lie on an edge they do not belong to. Near-linear by a grid over the edges. */
