@@ -1,4 +1,5 @@
 import { findBoundary } from './boundary.ts';
+import { findBuilding } from './building/find-building.ts';
 import { countOf } from './count-words.ts';
 import { cropCloud } from './crop.ts';
 import { orient } from './frame.ts';
@@ -48,11 +49,21 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
         ? `${boundaries.length} proposed`
         : countOf(boundaries.length, 'structure'),
   );
+  const building = await run.stage(
+    'rooms',
+    options,
+    (context) => findBuilding(cloud, kept, options, context),
+    (storeys) =>
+      countOf(
+        storeys.reduce((sum, { rooms }) => sum + rooms.length, 0),
+        'room',
+      ),
+  );
   return run.stage(
     'plan',
     options,
     (context) => {
-      const parts = { source: scan.facts, cloud, kept, boundary, regularised, secondary, options };
+      const parts = { source: scan.facts, cloud, kept, boundary, regularised, secondary, building, options };
       return { ...makePlan(parts, { ...context, placeInSource }), warnings: [...run.warnings] };
     },
     ({ storeys }) => countOf(storeys.length, 'storey'),

@@ -1,3 +1,5 @@
+import type { StoreyPlan } from './building/plan-storey.ts';
+import { raiseStorey } from './building/raise-storey.ts';
 import type { StageContext } from './context.ts';
 import { EXTENT } from './frame/judge-unit.ts';
 import { perimeter, polygonArea } from './geometry/rings.ts';
@@ -15,6 +17,7 @@ import type {
   RegularisedBoundary,
   SecondaryResult,
   SourceFacts,
+  Storey,
   Wall,
 } from './types.ts';
 
@@ -32,17 +35,43 @@ export interface PlanParts {
   readonly boundary: Boundary;
   readonly regularised: RegularisedBoundary;
   readonly secondary: SecondaryResult;
+  /** Storeys with rooms, lowest first; where there are none the plan is one of outlines. */
+  readonly building: readonly StoreyPlan[];
   readonly options: Options;
 }
 
 /**
- * The floor plan: the regularised boundaries with walls drawn along the primary ones ([Stojanovic19] §3).
+ * The floor plan: of the rooms found, else the regularised boundaries with walls drawn along the primary ones
+ * ([Stojanovic19] §3).
  *
- * One storey, from the lowest floor to the highest ceiling. `warnings` is left empty for the caller, who
- * knows those of the whole run.
+ * `warnings` is left empty for the caller, who knows those of the whole run.
  */
 export function makePlan(parts: PlanParts, context: Pick<StageContext, 'warn' | 'placeInSource'>): FloorPlan {
-  const { source, cloud, boundary, regularised, secondary, options } = parts;
+  const { source, cloud, building, options } = parts;
+  const storeys =
+    building.length > 0
+      ? building.map((storey, index) => storeyOfRooms(storey, index, parts, context))
+      : [storeyOfOutlines(parts, context)];
+  return { version: 1, source, frame: cloud.frame, options, storeys, warnings: [] };
+}
+
+/** A storey of rooms, with the doors a person asked for in the lowest. */
+function storeyOfRooms(
+  found: StoreyPlan,
+  index: number,
+  { cloud, options }: PlanParts,
+  context: Pick<StageContext, 'warn' | 'placeInSource'>,
+): Storey {
+  const storey = raiseStorey(found, index, options);
+  if (index > 0) return storey;
+  const outlines = storey.rooms.map(({ outline, confidence }) => ({ polygon: outline, confidence }));
+  const site = { outlines, gaps: storey.gaps, frame: cloud.frame, height: storey.height, options };
+  return { ...storey, openings: [...storey.openings, ...placeDoors(site, context)] };
+}
+
+/** One storey, from the lowest floor to the highest ceiling. */
+function storeyOfOutlines(parts: PlanParts, context: Pick<StageContext, 'warn' | 'placeInSource'>): Storey {
+  const { cloud, boundary, regularised, secondary, options } = parts;
   const { floor, height } = storeyHeights(parts, context);
   const gaps = boundary.gaps;
   const outlines = regularised.polygons.map((polygon) => ({
@@ -51,7 +80,7 @@ export function makePlan(parts: PlanParts, context: Pick<StageContext, 'warn' | 
   }));
   warnOfFilled(regularised.polygons, options, context);
   warnOfNoRoom(regularised.polygons, cloud, context);
-  const storey = {
+  return {
     index: 0,
     floor,
     height,
@@ -62,7 +91,6 @@ export function makePlan(parts: PlanParts, context: Pick<StageContext, 'warn' | 
     openings: placeDoors({ outlines, gaps, frame: cloud.frame, height, options }, context),
     gaps,
   };
-  return { version: 1, source, frame: cloud.frame, options, storeys: [storey], warnings: [] };
 }
 
 /** Height of the floor above the frame's origin and of the walls above the floor, m. */

@@ -1,3 +1,4 @@
+import type { StoreyPlan } from './building/plan-storey.ts';
 import type { ChosenLevel } from './level.ts';
 import type {
   Boundary,
@@ -23,6 +24,8 @@ export interface StageResults {
   readonly boundary: Boundary;
   readonly regularise: RegularisedBoundary;
   readonly secondary: SecondaryResult;
+  /** Empty where the plan is made of outlines. */
+  readonly rooms: readonly StoreyPlan[];
   readonly plan: FloorPlan;
   readonly solid: Solid;
 }

@@ -14,7 +14,7 @@ export const STAGES = {
     label: 'Read',
     doc: 'Bytes become points, thinned on a voxel lattice.',
     source: 'ours',
-    share: 0.4,
+    share: 0.35,
   },
   frame: {
     label: 'Orient',
@@ -32,7 +32,7 @@ export const STAGES = {
     label: 'Clean',
     doc: 'Stray points far from every dense cluster go.',
     source: '[Stojanovic19] §3',
-    share: 0.15,
+    share: 0.1,
   },
   level: {
     label: 'Level',
@@ -64,9 +64,15 @@ export const STAGES = {
     source: '[Stojanovic19] §3.1',
     share: 0.05,
   },
+  rooms: {
+    label: 'Rooms',
+    doc: 'Storeys, rooms, walls with two faces, doors, windows and columns, from planes that reach the ceiling.',
+    source: 'ours',
+    share: 0.1,
+  },
   plan: {
     label: 'Plan',
-    doc: 'Outlines become walls of a thickness: the floor plan.',
+    doc: 'Rooms and walls, or outlines drawn with a pen, become the floor plan.',
     source: '[Stojanovic19] §3',
     share: 0.03,
   },

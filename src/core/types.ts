@@ -192,6 +192,8 @@ export interface Wall {
   readonly outline: Polygon;
   readonly thickness: number;
   readonly confidence: number;
+  /** No point shows its other face: the thickness is that of others, or the one asked for. */
+  readonly isThicknessInferred?: true;
 }
 
 export interface Room {
@@ -224,7 +226,7 @@ export interface Storey {
   readonly walls: readonly Wall[];
   readonly rooms: readonly Room[];
   readonly openings: readonly Opening[];
-  /** Bridged gaps: stretches of the outline no point supports. */
+  /** Bridged gaps and hidden walls: stretches of the outlines no point supports. */
   readonly gaps: readonly Gap[];
 }
 

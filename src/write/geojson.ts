@@ -50,8 +50,19 @@ function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
         confidence: number(confidence),
       })),
     ),
-    ...storey.walls.flatMap(({ outline, thickness, confidence }) =>
-      areas('wall', outline, () => ({ thicknessM: number(thickness), confidence: number(confidence) })),
+    ...storey.walls.flatMap(({ outline, thickness, confidence, isThicknessInferred }) =>
+      areas('wall', outline, () => ({
+        thicknessM: number(thickness),
+        confidence: number(confidence),
+        ...(isThicknessInferred && { inferred: true }),
+      })),
+    ),
+    ...storey.gaps.map(({ from, to: end, width }) =>
+      feature(
+        'inferred-stretch',
+        { type: 'LineString', coordinates: [position(from[0], from[1], to), position(end[0], end[1], to)] },
+        { lengthM: number(width) },
+      ),
     ),
     ...storey.openings.map(({ type, from, to: end, sill, head, confidence }) =>
       feature(

@@ -1,5 +1,6 @@
 import { medianOf } from '../robust-scale.ts';
-import type { WallStrip } from './wall-strip.ts';
+import type { Opening } from '../types.ts';
+import type { WallStretch, WallStrip } from './wall-strip.ts';
 
 /** Heights above the floor, m, at which every door and nearly every window is open and furniture seldom hides a wall. */
 const LOOK_FROM = 1.45;
@@ -233,10 +234,10 @@ function openingIn(
   const type = !isLow ? 'window' : ceiling - top <= NO_LINTEL ? 'passage' : 'door';
   const evidence =
     jambs + (head.share >= LEVEL_SHARE ? 1 : 0) + (isLow ? through : sill.share >= LEVEL_SHARE ? 1 : 0);
-  const ends = jambs === 2 ? { from, to } : { from: from, to: to };
   return {
-    ...ends,
     type,
+    from,
+    to,
     sill: isLow ? 0 : bottom,
     head: top,
     reveal: deepest(
@@ -326,4 +327,14 @@ function faceHeights(
   let bottom = middle;
   while (bottom >= 0 && !isWall[bottom]) bottom--;
   return { head: top >= rows ? ceiling : top * STEP, sill: bottom < 0 ? 0 : (bottom + 1) * STEP };
+}
+
+/** A hole of a stretch of wall in the plan, its line `deep` behind the face, m. */
+export function placeOpening(
+  { type, from, to, sill, head, confidence }: FoundOpening,
+  { x, y, ux, uy }: WallStretch,
+  deep: number,
+): Opening {
+  const at = (along: number) => [x + along * ux + deep * uy, y + along * uy - deep * ux] as const;
+  return { type, from: at(from), to: at(to), sill, head, confidence };
 }

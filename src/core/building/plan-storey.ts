@@ -1,6 +1,10 @@
-import type { Opening, PointCloud, Polygon, Room, SecondaryBoundary, Wall } from '../types.ts';
+import { areaOf, combine } from '../geometry/areas.ts';
+import { centroid, perimeter } from '../geometry/rings.ts';
+import { medianOf } from '../robust-scale.ts';
+import { distanceToRing } from '../secondary/structure.ts';
+import type { Gap, Opening, PointCloud, Polygon, Room, SecondaryBoundary, Wall } from '../types.ts';
 import { findColumns } from './find-columns.ts';
-import { type FoundOpening, findOpenings } from './find-openings.ts';
+import { type FoundOpening, findOpenings, placeOpening } from './find-openings.ts';
 import { findRooms } from './find-rooms.ts';
 import type { StoreyHeights } from './find-storeys.ts';
 import { type HeightColumns, hasPlane, heightColumns } from './height-columns.ts';
@@ -8,116 +12,221 @@ import { localCeiling } from './local-ceiling.ts';
 import { type FacePair, pairFaces } from './pair-faces.ts';
 import { primaryOutline } from './primary-outline.ts';
 import { edgesOf, type RoomEdge } from './room-edges.ts';
-import { type WallStretch, wallStrip } from './wall-strip.ts';
+import { roomHeights } from './room-heights.ts';
+import { unseenStretches } from './unseen-stretches.ts';
+import { type WallStretch, type WallStrip, wallStrip } from './wall-strip.ts';
 
 /** How deep an outer wall is looked into, m. */
 const DEEPEST = 0.8;
-/** Thickness of an inner wall where none is known, m. */
+/** Thickness of an inner wall where no two rooms share one, m: what the outline closes over then does not matter. */
 const USUAL_INNER = 0.12;
+/** Half thickness of a face, m, or so many deviations of its points. */
+const FACE_BAND = 0.03;
+const FACE_DEVIATIONS = 3;
+/** Least noise of a face, m, where none is known. */
+const USUAL_NOISE = 0.01;
+/** Leftovers of walls smaller than this are debris, m². */
+const DEBRIS = 1e-4;
+/** Rows of rooms are read from above: rooms whose middles differ by less than this in height are in one, m. */
+const READING_ROW = 2;
 
-export interface StoreyPlan {
+/** What a storey holds; metres, plan frame. */
+export interface StoreyPlan extends StoreyHeights {
   readonly primary: readonly Polygon[];
   readonly rooms: readonly Room[];
-  readonly walls: readonly Wall[];
-  readonly openings: readonly Opening[];
+  /** Walls between rooms, and their openings. */
+  readonly innerWalls: readonly Wall[];
+  readonly innerOpenings: readonly Opening[];
+  /** What each edge of `primary` shows of the wall along it, ring by ring. */
+  readonly outer: readonly LookedInto[];
   readonly secondary: readonly SecondaryBoundary[];
+  /** Stretches of room outlines that no point supports. */
+  readonly unseen: readonly Gap[];
 }
 
+/** A stretch of wall with its holes, along the face it is looked at from. */
+export interface LookedInto {
+  readonly stretch: WallStretch;
+  readonly found: readonly FoundOpening[];
+}
+
+/** What every wall of a storey is looked at with. */
+interface Site {
+  readonly cloud: PointCloud;
+  readonly columns: HeightColumns;
+  /** Standard deviation of points across a face, m. */
+  readonly noise: number;
+  /** Height of the ceiling above the floor, m. */
+  readonly height: number;
+}
+
+/** Rooms, walls, openings and structures of a storey. */
 export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: StoreyHeights): StoreyPlan {
   const columns = heightColumns(cloud, kept, heights);
-  const found = findRooms(cloud, columns);
-  const outlines = found.rooms.map(({ outline }) => outline);
-  const noise = medianNoise(found.faces.map((face) => face.noise));
-  const ceiling = heights.ceiling - heights.floor;
-  const pairs = pairFaces(edgesOf(outlines));
+  const { faces, rooms: found } = findRooms(cloud, columns);
+  const outlines = inReadingOrder(found.map(({ outline }) => outline));
+  const noise = faces.length > 0 ? medianOf(Float64Array.from(faces, (face) => face.noise)) : USUAL_NOISE;
+  const site: Site = { cloud, columns, noise, height: heights.ceiling - heights.floor };
+  const edges = edgesOf(outlines);
+  const pairs = pairFaces(edges);
   const thickest = pairs.reduce((most, { thickness }) => Math.max(most, thickness), USUAL_INNER);
   const primary = primaryOutline(outlines, thickest);
-  const openings: Opening[] = [];
-  const walls: Wall[] = [];
-  for (const pair of pairs) {
-    const { face, from, to, thickness } = pair;
-    const stretch = { ...startOf(face, from), ux: face.ux, uy: face.uy, length: to - from, depth: thickness };
-    const strip = wallStrip(cloud, columns, stretch);
-    for (const opening of findOpenings({
-      strip,
-      length: to - from,
-      thickness,
-      noise,
-      ceiling,
-      isThrough: throughAt(columns, stretch, thickness / 2),
-    })) {
-      openings.push(placed(opening, stretch, thickness / 2));
-    }
-    walls.push({ outline: { outer: pairRing(pair), holes: [] }, thickness, confidence: 1 });
-  }
-  const outer = edgesOf(primary).map((edge) => {
-    const stretch = { x: edge.ax, y: edge.ay, ux: edge.ux, uy: edge.uy, length: edge.length, depth: DEEPEST };
-    const strip = wallStrip(cloud, columns, stretch);
-    return {
-      edge,
-      stretch,
-      openings: findOpenings({
-        strip,
-        length: edge.length,
-        thickness: Infinity,
-        noise,
-        ceiling,
-        isThrough: () => false,
-      }),
-    };
+  const inner = pairs.map((pair) => lookIntoInner(site, pair));
+  const outer = edgesOf(primary).map((edge) => lookIntoOuter(site, edge));
+  const unseen = edges.map((edge) => unseenOf(site, edge, [...inner, ...outer]));
+  const byRoom = outlines.map((_, i) => unseen.filter((_, e) => edges[e].owner === i).flat());
+  const tall = roomHeights(cloud, columns, outlines);
+  return {
+    ...heights,
+    primary,
+    rooms: outlines.map((outline, i) => ({
+      name: `Room ${i + 1}`,
+      outline,
+      height: tall[i],
+      confidence: seenShare(outline, byRoom[i]),
+    })),
+    innerWalls: innerWalls(outlines, primary, pairs, byRoom),
+    innerOpenings: inner.flatMap(({ stretch, found: holes }, i) =>
+      holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
+    ),
+    outer,
+    secondary: findColumns(cloud, columns, localCeiling(columns), outlines),
+    unseen: unseen.flat(),
+  };
+}
+
+/** Row by row from above, each from left to right. */
+function inReadingOrder(outlines: readonly Polygon[]): Polygon[] {
+  const placed = outlines.map((outline) => {
+    const [x, y] = centroid(outline.outer);
+    return { outline, x, row: Math.round(-y / READING_ROW) };
   });
-  const reveals = outer
-    .flatMap(({ openings: own }) => own.map(({ reveal }) => reveal))
-    .filter((r) => r > 0.1);
-  const usual = reveals.length > 0 ? reveals.sort((a, b) => a - b)[reveals.length >> 1] : 0.3;
-  for (const { stretch, openings: own } of outer) {
-    const mine = own
-      .map(({ reveal }) => reveal)
-      .filter((r) => r > 0.1)
-      .sort((a, b) => a - b);
-    const thickness = mine.length > 0 ? mine[mine.length >> 1] : usual;
-    for (const opening of own) openings.push(placed(opening, stretch, thickness / 2));
-  }
-  const rooms = found.rooms.map(({ outline }, i) => ({
-    name: `Room ${i + 1}`,
-    outline,
-    height: ceiling,
-    confidence: 1,
-  }));
-  const secondary = findColumns(cloud, columns, localCeiling(columns), outlines);
-  return { primary, rooms, walls, openings, secondary };
+  return placed.sort((a, b) => a.row - b.row || a.x - b.x).map(({ outline }) => outline);
+}
+
+function lookIntoInner(site: Site, { face, from, to, thickness }: FacePair): LookedInto {
+  const { cloud, columns } = site;
+  const stretch: WallStretch = {
+    x: face.ax + from * face.ux,
+    y: face.ay + from * face.uy,
+    ux: face.ux,
+    uy: face.uy,
+    length: to - from,
+    depth: thickness,
+  };
+  const look = { strip: wallStrip(cloud, columns, stretch), length: to - from, thickness };
+  const isThrough = throughAt(columns, stretch, thickness / 2);
+  const found = findOpenings({ ...look, noise: site.noise, ceiling: site.height, isThrough });
+  return { stretch, found };
+}
+
+function lookIntoOuter(site: Site, edge: RoomEdge): LookedInto {
+  const { cloud, columns, noise, height } = site;
+  const stretch: WallStretch = {
+    x: edge.ax,
+    y: edge.ay,
+    ux: edge.ux,
+    uy: edge.uy,
+    length: edge.length,
+    depth: DEEPEST,
+  };
+  const look = { strip: wallStrip(cloud, columns, stretch), length: edge.length, thickness: Infinity };
+  const found = findOpenings({ ...look, noise, ceiling: height, isThrough: () => false });
+  return { stretch, found };
 }
 
 function throughAt(columns: HeightColumns, { x, y, ux, uy }: WallStretch, deep: number) {
   return (along: number) => hasPlane(columns, x + along * ux + deep * uy, y + along * uy - deep * ux);
 }
 
-function medianNoise(values: number[]): number {
-  return values.sort((a, b) => a - b)[values.length >> 1] ?? 0.01;
+/** The walls between rooms: the area of the outline that is no room, cut into one piece a pair of faces. */
+function innerWalls(
+  rooms: readonly Polygon[],
+  primary: readonly Polygon[],
+  pairs: readonly FacePair[],
+  unseen: readonly (readonly Gap[])[],
+): Wall[] {
+  const solid = combine('difference', primary, rooms);
+  const pieces = pairs.map((pair) => combine('intersection', solid, [{ outer: pairRing(pair), holes: [] }]));
+  const rest = combine('difference', solid, pieces.flat());
+  for (const leftover of rest) {
+    if (areaOf([leftover]) < DEBRIS) continue;
+    const near = nearestPiece(leftover, pieces);
+    if (near >= 0) pieces[near] = combine('union', [...pieces[near], leftover]);
+  }
+  return pieces.flatMap((piece, i) =>
+    piece.map((outline): Wall => {
+      const { face, back, thickness } = pairs[i];
+      const hidden = [face, back].every(({ owner }) => unseen[owner].some((gap) => touches(gap, pairs[i])));
+      return { outline, thickness, confidence: hidden ? 0.5 : 1 };
+    }),
+  );
 }
 
-function startOf(edge: RoomEdge, from: number) {
-  return { x: edge.ax + from * edge.ux, y: edge.ay + from * edge.uy };
+function touches({ from, to }: Gap, { face, thickness }: FacePair): boolean {
+  return [from, to].every(([x, y]) => {
+    const aside = (x - face.ax) * face.uy - (y - face.ay) * face.ux;
+    return aside > -0.01 && aside < thickness + 0.01;
+  });
 }
 
-function placed(
-  opening: FoundOpening,
-  { x, y, ux, uy }: { readonly x: number; readonly y: number; readonly ux: number; readonly uy: number },
-  deep: number,
-): Opening {
-  const at = (along: number) => [x + along * ux + deep * uy, y + along * uy - deep * ux] as const;
-  const { type, from, to, sill, head, confidence } = opening;
-  return { type, from: at(from), to: at(to), sill, head, confidence };
+function nearestPiece(leftover: Polygon, pieces: readonly (readonly Polygon[])[]): number {
+  const [x, y] = centroid(leftover.outer);
+  let [best, least] = [-1, Infinity];
+  pieces.forEach((piece, i) => {
+    for (const { outer } of piece) {
+      const away = distanceToRing(x, y, outer);
+      if (away < least) [best, least] = [i, away];
+    }
+  });
+  return best;
 }
 
 function pairRing({ face, back, from, to }: FacePair): Float64Array {
-  const onBack = (along: number): readonly [number, number] => {
-    const [x, y] = [face.ax + along * face.ux, face.ay + along * face.uy];
+  const onFace = (along: number) => [face.ax + along * face.ux, face.ay + along * face.uy];
+  const onBack = (along: number) => {
+    const [x, y] = onFace(along);
     const t = (x - back.ax) * back.ux + (y - back.ay) * back.uy;
     return [back.ax + t * back.ux, back.ay + t * back.uy];
   };
-  const [a, b] = [startOf(face, from), startOf(face, to)];
-  const [c, d] = [onBack(to), onBack(from)];
   // The room is on the face's left, so the wall is on its right.
-  return Float64Array.of(a.x, a.y, d[0], d[1], c[0], c[1], b.x, b.y);
+  return Float64Array.from([onFace(from), onBack(from), onBack(to), onFace(to)].flat());
+}
+
+function unseenOf(site: Site, edge: RoomEdge, looks: readonly LookedInto[]): Gap[] {
+  const band = Math.max(FACE_BAND, FACE_DEVIATIONS * site.noise);
+  const stretch: WallStretch = {
+    x: edge.ax,
+    y: edge.ay,
+    ux: edge.ux,
+    uy: edge.uy,
+    length: edge.length,
+    depth: band,
+  };
+  const strip: WallStrip = wallStrip(site.cloud, site.columns, stretch);
+  return unseenStretches(
+    edge,
+    strip,
+    band,
+    looks.flatMap((look) => holesAlong(edge, look)),
+  );
+}
+
+/** Openings of a wall that go through an edge, by their reach along it. */
+function holesAlong(edge: RoomEdge, { stretch, found }: LookedInto): { from: number; to: number }[] {
+  const turn = stretch.ux * edge.uy - stretch.uy * edge.ux;
+  const aside = (stretch.x - edge.ax) * edge.uy - (stretch.y - edge.ay) * edge.ux;
+  if (Math.abs(turn) > 0.05 || Math.abs(aside) > DEEPEST) return [];
+  const along = (t: number) =>
+    (stretch.x + t * stretch.ux - edge.ax) * edge.ux + (stretch.y + t * stretch.uy - edge.ay) * edge.uy;
+  return found.map(({ from, to }) => {
+    const [a, b] = [along(from), along(to)];
+    return { from: Math.min(a, b), to: Math.max(a, b) };
+  });
+}
+
+/** Share of an outline's length that points support. */
+function seenShare({ outer, holes }: Polygon, unseen: readonly Gap[]): number {
+  const length = [outer, ...holes].reduce((sum, ring) => sum + perimeter(ring), 0);
+  return Math.max(0, 1 - unseen.reduce((sum, { width }) => sum + width, 0) / length);
 }

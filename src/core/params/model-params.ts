@@ -2,6 +2,14 @@ import { autoNumber, choice, doors, flag, number, type ParamRow, px } from '../p
 
 /** What walls, doors and slabs are made of the outlines. Lengths in metres. */
 export const MODEL_PARAMS = {
+  planMethod: choice(['rooms', 'outline'], {
+    default: 'rooms',
+    paper: 'outline',
+    stage: 'rooms',
+    label: 'Plan of',
+    doc: "rooms finds storeys, rooms, walls, openings and columns; outline draws walls along the primary boundary, as the paper does, and is used where no room is found.",
+    source: 'ours',
+  }),
   wallThickness: number({
     default: 0.2,
     paper: px(10),
@@ -11,7 +19,7 @@ export const MODEL_PARAMS = {
     unit: 'm',
     stage: 'plan',
     label: 'Wall thickness',
-    doc: 'Width of the contour drawn along the primary boundary.',
+    doc: 'Width of the contour drawn along the primary boundary; of outer walls whose outer face nothing shows.',
     source: '[Stojanovic19] §3',
   }),
   wallSide: choice(['outside', 'centre'], {

@@ -1,0 +1,36 @@
+import type { StageContext } from '../context.ts';
+import type { Options } from '../params.ts';
+import type { PointCloud } from '../types.ts';
+import { findStoreys } from './find-storeys.ts';
+import { planStorey, type StoreyPlan } from './plan-storey.ts';
+
+/**
+ * Storeys with their rooms, walls, openings and structures, lowest first; storeys in which no room was found are left out.
+ *
+ * Ours. Empty for ready slices and for the method `outline`. O(n) in points beside what grows with the walls.
+ *
+ * @param kept indices of the points that are no outliers
+ */
+export function findBuilding(
+  cloud: PointCloud,
+  kept: Uint32Array,
+  { planMethod }: Options,
+  { progress, warn }: Pick<StageContext, 'progress' | 'warn'>,
+): readonly StoreyPlan[] {
+  if (planMethod === 'outline' || cloud.isFlat) return [];
+  const heights = findStoreys(cloud, kept);
+  const storeys = heights.flatMap((own, i) => {
+    progress(i / heights.length);
+    const storey = planStorey(cloud, kept, own);
+    return storey.rooms.length > 0 ? [storey] : [];
+  });
+  if (storeys.length === 0) {
+    warn({
+      code: 'rooms/none-found',
+      message:
+        'No room was found: no walls that close around a floor or under a ceiling. The outline of the scan is drawn instead.',
+      hint: 'Check the up axis and the unit; a single wall or an open place has no rooms.',
+    });
+  }
+  return storeys;
+}

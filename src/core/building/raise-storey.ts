@@ -1,0 +1,58 @@
+import type { Options } from '../params.ts';
+import { medianOf } from '../robust-scale.ts';
+import type { Opening, Storey, Wall } from '../types.ts';
+import { placeOpening } from './find-openings.ts';
+import { outerWalls } from './outer-walls.ts';
+import type { StoreyPlan } from './plan-storey.ts';
+
+/** Reveals shallower than this are a window frame's, m. */
+const LEAST_REVEAL = 0.1;
+
+/**
+ * A found storey with walls around it: as thick as their reveals are deep, others as the storey's other reveals tell, or as
+ * the parameter `wallThickness` says.
+ */
+export function raiseStorey(
+  found: StoreyPlan,
+  index: number,
+  { wallThickness, wallHeight }: Options,
+): Storey {
+  const { floor, ceiling, primary, rooms, innerWalls, innerOpenings, secondary, unseen } = found;
+  const shell = outerShell(found, wallThickness);
+  return {
+    index,
+    floor,
+    height: wallHeight === 'auto' ? ceiling - floor : wallHeight,
+    primary,
+    secondary,
+    walls: [...innerWalls, ...shell.walls],
+    rooms,
+    openings: [...innerOpenings, ...shell.openings],
+    gaps: unseen,
+  };
+}
+
+function outerShell(
+  { primary, outer }: StoreyPlan,
+  usualOuter: number,
+): { walls: Wall[]; openings: Opening[] } {
+  const reveals = outer.map(({ found }) =>
+    Float64Array.from(found.map(({ reveal }) => reveal).filter((reveal) => reveal > LEAST_REVEAL)),
+  );
+  const all = Float64Array.from(reveals.flatMap((own) => [...own]));
+  const usual = all.length > 0 ? medianOf(all) : usualOuter;
+  const thicknesses = reveals.map((own) => (own.length > 0 ? medianOf(own) : usual));
+  let first = 0;
+  const walls = primary.flatMap((polygon) => {
+    const begin = first;
+    for (const ring of [polygon.outer, ...polygon.holes]) first += ring.length / 2;
+    return outerWalls(polygon, thicknesses.slice(begin, first)).map(({ edge, ...wall }): Wall => {
+      const isKnown = reveals[begin + edge].length > 0;
+      return { ...wall, confidence: 1, ...(!isKnown && { isThicknessInferred: true }) };
+    });
+  });
+  const openings = outer.flatMap(({ stretch, found }, i) =>
+    found.map((hole) => placeOpening(hole, stretch, thicknesses[i] / 2)),
+  );
+  return { walls, openings };
+}
