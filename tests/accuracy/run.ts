@@ -14,8 +14,17 @@ import { CORPUS } from './corpus.ts';
 import { corpusFolder } from './corpus-files.ts';
 import type { PlanFile } from './facts.ts';
 import { measurePlan } from './measure.ts';
+import type { Measures } from './measures.ts';
 import { drawComparison } from './picture.ts';
-import { formatList, formatMeans, formatTable, meansByClass, type SceneResult } from './table.ts';
+import {
+  formatFigures,
+  formatList,
+  formatMeans,
+  formatTable,
+  meansByClass,
+  type SceneResult,
+} from './table.ts';
+import { writePicture } from './write-picture.ts';
 
 const root = resolve(import.meta.dirname, '../..');
 const command = join(root, 'dist/cli.js');
@@ -84,10 +93,10 @@ function scenesIn(folder: string): SceneFiles[] {
   });
 }
 
-function runScene(
+async function runScene(
   { name, scan, truth: truthPath }: SceneFiles,
   { out, rest, isHeldBack }: Arguments,
-): SceneResult {
+): Promise<SceneResult> {
   const folder = join(out, name);
   rmSync(folder, { recursive: true, force: true });
   const words = [command, scan, '-o', folder, '--formats', 'geojson,slice', ...rest];
@@ -99,13 +108,28 @@ function runScene(
   if (status !== 0)
     return { name, ...classed, measures: null, seconds, problem: stderr.trim() || `exit code ${status}` };
   const plan = readJson<PlanFile>(join(folder, 'plan.geojson'));
-  const points = readSlice(join(folder, 'slice.csv'));
+  const measures = measurePlan(plan, truth);
+  // What is kept back leaves nothing to look at.
+  if (isHeldBack) rmSync(folder, { recursive: true });
+  else await drawScene({ name, plan, truth, measures }, out);
+  return { name, ...classed, measures, seconds };
+}
+
+interface Scored {
+  readonly name: string;
+  readonly plan: PlanFile;
+  readonly truth: CorpusTruth;
+  readonly measures: Measures;
+}
+
+async function drawScene({ name, plan, truth, measures }: Scored, out: string): Promise<void> {
+  const points = readSlice(join(out, name, 'slice.csv'));
+  const figures = formatFigures(measures);
   const storeys = 'storeys' in truth ? truth.storeys.length : 1;
-  for (let storey = 0; storey < storeys && !isHeldBack; storey++) {
-    const file = storeys === 1 ? `${name}.svg` : `${name}-${storey}.svg`;
-    writeFileSync(join(out, file), drawComparison(plan, truth, points, storey));
+  for (let storey = 0; storey < storeys; storey++) {
+    const path = join(out, storeys === 1 ? name : `${name}-${storey}`);
+    await writePicture(path, drawComparison({ plan, truth, points, storey, figures }));
   }
-  return { name, ...classed, measures: measurePlan(plan, truth), seconds };
 }
 
 function readJson<T>(path: string): T {
@@ -141,10 +165,11 @@ if (given.isList)
     formatList(scenes.map(({ name, truth }) => ({ name, facts: readJson<CorpusTruth>(truth).scene }))),
   );
 else {
-  const results = scenes.map((scene) => {
-    const result = runScene(scene, given);
+  const results: SceneResult[] = [];
+  for (const scene of scenes) {
+    const result = await runScene(scene, given);
     process.stderr.write(given.isHeldBack ? '.' : `${result.name}: ${result.seconds.toFixed(1)} s\n`);
-    return result;
-  });
+    results.push(result);
+  }
   report(results, given);
 }

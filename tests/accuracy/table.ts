@@ -16,18 +16,20 @@ export interface SceneResult {
 /** Columns of the table; the rest stands in the list of means and in the JSON. */
 const HEADLINE: readonly MeasureName[] = [
   'footprintIou',
-  'footprintAreaErrorPct',
-  'footprintP95',
-  'boundaryVertices',
-  'valid',
   'roomF1',
-  'roomIou',
+  'roomAreaErrorPct',
   'cornerF1At5cm',
   'cornerF1At10cm',
   'faceMedianMm',
   'structureF1',
   'doorF1',
   'windowF1',
+  'passageF1',
+  'openingWidthErrorMm',
+  'wallThicknessErrorMm',
+  'inferredPrecision',
+  'inferredRecall',
+  'invalidCount',
 ];
 
 /** A row a scene and a row of means. */
@@ -46,6 +48,14 @@ export function formatTable(results: readonly SceneResult[]): string {
   ]);
   const problems = results.flatMap(({ name, problem }) => (problem ? [`${name}: ${problem}`] : []));
   return [...lines, ...problems].join('\n');
+}
+
+/** The figures that decide, in one line. */
+export function formatFigures(measures: Measures): string {
+  return HEADLINE.flatMap((name) => {
+    const value = measures[name];
+    return value === undefined ? [] : [`${MEASURES[name].label} ${figure(name, value)}`];
+  }).join('   ');
 }
 
 /** Means of some scenes. */
