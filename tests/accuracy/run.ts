@@ -9,6 +9,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import type { XY } from '../../fixtures/simulator/ring.ts';
+import type { Report } from '../../src/session/report.ts';
 import type { CorpusTruth } from './classes.ts';
 import { CORPUS } from './corpus.ts';
 import { corpusFolder } from './corpus-files.ts';
@@ -108,7 +109,8 @@ async function runScene(
   if (status !== 0)
     return { name, ...classed, measures: null, seconds, problem: stderr.trim() || `exit code ${status}` };
   const plan = readJson<PlanFile>(join(folder, 'plan.geojson'));
-  const measures = measurePlan(plan, truth);
+  const { mesh } = readJson<Pick<Report, 'mesh'>>(join(folder, 'report.json'));
+  const measures = { ...measurePlan(plan, truth), watertight: mesh.watertight ? 1 : 0 };
   // What is kept back leaves nothing to look at.
   if (isHeldBack) rmSync(folder, { recursive: true });
   else await drawScene({ name, plan, truth, measures }, out);
