@@ -53,7 +53,9 @@ type Coordinates = readonly (readonly number[])[];
 
 export interface Comparison {
   readonly plan: PlanFile;
-  readonly truth: CorpusTruth;
+  readonly name: string;
+  /** Null where nobody knows it. */
+  readonly truth: CorpusTruth | null;
   /** Of the slice, in the plan frame. */
   readonly points: readonly XY[];
   readonly storey: number;
@@ -62,10 +64,15 @@ export interface Comparison {
 }
 
 /** Truth, plan and slice of one storey from above, as SVG without style sheet, so that every renderer draws it. */
-export function drawComparison({ plan, truth, points, storey, figures }: Comparison): string {
-  const facts: TruthStorey = 'storeys' in truth ? truth.storeys[storey] : truth;
+export function drawComparison({ name, plan, truth, points, storey, figures }: Comparison): string {
+  const facts = truth === null ? NOTHING_KNOWN : storeyOf(truth, storey);
   const features = plan.features.filter(({ properties }) => (properties.storey ?? 0) === storey);
-  const [minX, minY, maxX, maxY] = boundsOf(facts.outer[0].map(([x, y]): XY => [x, y]));
+  const drawn = features.flatMap(({ geometry }) =>
+    geometry?.type === 'Polygon' ? (geometry.coordinates as Coordinates[])[0] : [],
+  );
+  const known = facts.outer[0] ?? [...drawn, ...points];
+  const extent = known.length > 0 ? known : EMPTY_SHEET;
+  const [minX, minY, maxX, maxY] = boundsOf(extent.map(([x, y]): XY => [x, y]));
   const scale = (SIZE - 2 * MARGIN) / Math.max(maxX - minX, maxY - minY);
   const at = ([x, y]: readonly number[]): string =>
     `${(MARGIN + (x - minX) * scale).toFixed(1)} ${(HEAD + (maxY - y) * scale).toFixed(1)}`;
@@ -98,10 +105,25 @@ export function drawComparison({ plan, truth, points, storey, figures }: Compari
       line(ends, openingStyle(String(properties.type), false)),
     ),
     ...found('inferred-stretch').map((stretch) => line(stretch.at, STYLES.inferred)),
-    text(MARGIN, 18, `${truth.name}, storey ${storey}${sceneText(truth)}   ${figures}`, '#1b1f24'),
+    text(MARGIN, 18, `${name}, storey ${storey}${sceneText(truth)}   ${figures}`, '#1b1f24'),
     ...legend(),
     '</svg>',
   ].join('\n');
+}
+
+const EMPTY_SHEET: Coordinates = [
+  [0, 0],
+  [1, 1],
+];
+
+type Known = Pick<TruthStorey, 'outer' | 'rooms' | 'columns' | 'openings' | 'hidden'>;
+
+const NOTHING_KNOWN: Known = { outer: [], rooms: [], columns: [], openings: [] };
+
+/** A plan with more storeys than the building has some to be drawn alone. */
+function storeyOf(truth: CorpusTruth, storey: number): Known {
+  if ('storeys' in truth) return truth.storeys[storey] ?? NOTHING_KNOWN;
+  return storey === 0 ? truth : NOTHING_KNOWN;
 }
 
 function openingStyle(kind: string, isTrue: boolean): Style {
@@ -111,7 +133,8 @@ function openingStyle(kind: string, isTrue: boolean): Style {
     : { fill: 'none', stroke, 'stroke-width': 3 };
 }
 
-function sceneText({ scene }: CorpusTruth): string {
+function sceneText(truth: CorpusTruth | null): string {
+  const scene = truth?.scene;
   if (scene === undefined) return '';
   const percent = (share: number): string => `${(100 * share).toFixed(0)} %`;
   return ` (${scene.class}: ${scene.scanner}, ${(scene.noise * 1000).toFixed(0)} mm, ${percent(scene.hiddenShare)} hidden)`;

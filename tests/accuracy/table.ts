@@ -9,6 +9,8 @@ export interface SceneResult {
   /** Null when no plan came. */
   readonly measures: Measures | null;
   readonly seconds: number;
+  /** What can be said where the truth is not known. */
+  readonly note?: string;
   /** What the command said when it failed. */
   readonly problem?: string;
 }
@@ -46,7 +48,9 @@ export function formatTable(results: readonly SceneResult[]): string {
     ]),
     ['mean', '', ...cells(mean), seconds.toFixed(1)],
   ]);
-  const problems = results.flatMap(({ name, problem }) => (problem ? [`${name}: ${problem}`] : []));
+  const problems = results.flatMap(({ name, problem = '', note = '' }) =>
+    problem || note ? [`${name}: ${problem}${note}`] : [],
+  );
   return [...lines, ...problems].join('\n');
 }
 
