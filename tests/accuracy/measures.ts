@@ -107,6 +107,12 @@ export const MEASURES = {
     'error',
     'Invalid polygons, and pairs of rooms that share more than 10 cm².',
   ),
+  watertight: row(
+    'solid closed',
+    2,
+    'share',
+    'Every part of the model is a closed two-manifold, by the report.',
+  ),
   isprsAccuracyMm: row(
     'ISPRS acc mm',
     1,

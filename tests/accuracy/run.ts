@@ -2,23 +2,19 @@
  * `npm run accuracy -- [DIR] [--held-back] [--only NAME] [--list] [--json FILE] [--out FOLDER] [options for the command]`:
  * plans of scenes with known truth.
  *
- * DIR holds NAME.gt.json beside a scan NAME.ply, NAME.csv …; without it the working half of the simulated corpus is run,
+ * DIR holds scans, with NAME.gt.json beside NAME.ply, NAME.csv … where the truth is known; the others are drawn, to be
+ * looked at. Without it the working half of the simulated corpus is run,
  * with --held-back the other half, of which only means are told. --only takes every scene whose name has NAME in it.
  */
-import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import type { XY } from '../../fixtures/simulator/ring.ts';
-import type { CorpusTruth } from './classes.ts';
 import { CORPUS } from './corpus.ts';
 import { corpusFolder } from './corpus-files.ts';
-import type { PlanFile } from './facts.ts';
-import { measurePlan } from './measure.ts';
-import { drawComparison } from './picture.ts';
+import { runScene } from './run-scene.ts';
+import { type SceneFiles, scenesIn } from './scene-files.ts';
 import { formatList, formatMeans, formatTable, meansByClass, type SceneResult } from './table.ts';
 
 const root = resolve(import.meta.dirname, '../..');
-const command = join(root, 'dist/cli.js');
 
 interface Arguments {
   /** Null for the corpus. */
@@ -66,61 +62,6 @@ async function scenesOf({ folder, isHeldBack, only }: Arguments): Promise<SceneF
   return scenesIn(made).filter(({ name }) => names.has(name));
 }
 
-interface SceneFiles {
-  readonly name: string;
-  readonly scan: string;
-  readonly truth: string;
-}
-
-function scenesIn(folder: string): SceneFiles[] {
-  const files = readdirSync(folder).sort();
-  const names = files
-    .filter((file) => file.endsWith('.gt.json'))
-    .map((file) => file.slice(0, -'.gt.json'.length));
-  return names.map((name) => {
-    const scan = files.find((file) => file.startsWith(`${name}.`) && !file.endsWith('.json'));
-    if (scan === undefined) throw new Error(`${folder}: no scan beside ${name}.gt.json`);
-    return { name, scan: join(folder, scan), truth: join(folder, `${name}.gt.json`) };
-  });
-}
-
-function runScene(
-  { name, scan, truth: truthPath }: SceneFiles,
-  { out, rest, isHeldBack }: Arguments,
-): SceneResult {
-  const folder = join(out, name);
-  rmSync(folder, { recursive: true, force: true });
-  const words = [command, scan, '-o', folder, '--formats', 'geojson,slice', ...rest];
-  const start = performance.now();
-  const { status, stderr } = spawnSync(process.execPath, words, { encoding: 'utf8' });
-  const seconds = (performance.now() - start) / 1000;
-  const truth = readJson<CorpusTruth>(truthPath);
-  const classed = truth.scene ? { class: truth.scene.class } : {};
-  if (status !== 0)
-    return { name, ...classed, measures: null, seconds, problem: stderr.trim() || `exit code ${status}` };
-  const plan = readJson<PlanFile>(join(folder, 'plan.geojson'));
-  const points = readSlice(join(folder, 'slice.csv'));
-  const storeys = 'storeys' in truth ? truth.storeys.length : 1;
-  for (let storey = 0; storey < storeys && !isHeldBack; storey++) {
-    const file = storeys === 1 ? `${name}.svg` : `${name}-${storey}.svg`;
-    writeFileSync(join(out, file), drawComparison(plan, truth, points, storey));
-  }
-  return { name, ...classed, measures: measurePlan(plan, truth), seconds };
-}
-
-function readJson<T>(path: string): T {
-  return JSON.parse(readFileSync(path, 'utf8'));
-}
-
-function readSlice(path: string): XY[] {
-  if (!existsSync(path)) return [];
-  const [, ...lines] = readFileSync(path, 'utf8').trim().split('\n');
-  return lines.map((line) => {
-    const [x, y] = line.split(',').map(Number);
-    return [x, y];
-  });
-}
-
 /** Means of all scenes and of each class; scenes by name only where they are not kept back. */
 function report(results: readonly SceneResult[], { isHeldBack, out, json }: Arguments): void {
   const means = meansByClass(results);
@@ -136,15 +77,13 @@ function report(results: readonly SceneResult[], { isHeldBack, out, json }: Argu
 const given = readArguments(process.argv.slice(2));
 mkdirSync(given.out, { recursive: true });
 const scenes = await scenesOf(given);
-if (given.isList)
-  console.log(
-    formatList(scenes.map(({ name, truth }) => ({ name, facts: readJson<CorpusTruth>(truth).scene }))),
-  );
+if (given.isList) console.log(formatList(scenes.map(({ name, truth }) => ({ name, facts: truth?.scene }))));
 else {
-  const results = scenes.map((scene) => {
-    const result = runScene(scene, given);
+  const results: SceneResult[] = [];
+  for (const scene of scenes) {
+    const result = await runScene(scene, given);
     process.stderr.write(given.isHeldBack ? '.' : `${result.name}: ${result.seconds.toFixed(1)} s\n`);
-    return result;
-  });
+    results.push(result);
+  }
   report(results, given);
 }

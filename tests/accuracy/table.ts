@@ -9,6 +9,8 @@ export interface SceneResult {
   /** Null when no plan came. */
   readonly measures: Measures | null;
   readonly seconds: number;
+  /** What can be said where the truth is not known. */
+  readonly note?: string;
   /** What the command said when it failed. */
   readonly problem?: string;
 }
@@ -16,18 +18,20 @@ export interface SceneResult {
 /** Columns of the table; the rest stands in the list of means and in the JSON. */
 const HEADLINE: readonly MeasureName[] = [
   'footprintIou',
-  'footprintAreaErrorPct',
-  'footprintP95',
-  'boundaryVertices',
-  'valid',
   'roomF1',
-  'roomIou',
+  'roomAreaErrorPct',
   'cornerF1At5cm',
   'cornerF1At10cm',
   'faceMedianMm',
   'structureF1',
   'doorF1',
   'windowF1',
+  'passageF1',
+  'openingWidthErrorMm',
+  'wallThicknessErrorMm',
+  'inferredPrecision',
+  'inferredRecall',
+  'invalidCount',
 ];
 
 /** A row a scene and a row of means. */
@@ -44,8 +48,18 @@ export function formatTable(results: readonly SceneResult[]): string {
     ]),
     ['mean', '', ...cells(mean), seconds.toFixed(1)],
   ]);
-  const problems = results.flatMap(({ name, problem }) => (problem ? [`${name}: ${problem}`] : []));
+  const problems = results.flatMap(({ name, problem = '', note = '' }) =>
+    problem || note ? [`${name}: ${problem}${note}`] : [],
+  );
   return [...lines, ...problems].join('\n');
+}
+
+/** The figures that decide, in one line. */
+export function formatFigures(measures: Measures): string {
+  return HEADLINE.flatMap((name) => {
+    const value = measures[name];
+    return value === undefined ? [] : [`${MEASURES[name].label} ${figure(name, value)}`];
+  }).join('   ');
 }
 
 /** Means of some scenes. */

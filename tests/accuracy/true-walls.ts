@@ -3,6 +3,7 @@ import {
   distance,
   distanceToSegment,
   interpolate,
+  signedArea,
   type XY,
 } from '../../fixtures/simulator/ring.ts';
 import type { StoreyFacts } from './facts.ts';
@@ -42,7 +43,8 @@ interface Sample {
 /** Every wall of a storey once, from the faces of its rooms and its outer face. O(samples · edges). */
 export function trueWalls(truth: StoreyFacts): TrueWall[] {
   const walls: TrueWall[] = [];
-  truth.rooms.forEach(([ring], room) => {
+  truth.rooms.forEach(([outline], room) => {
+    const ring = signedArea(outline) > 0 ? outline : [...outline].reverse();
     let run: Sample[] = [];
     const close = (): void => {
       if (run.length * STEP >= SHORTEST) walls.push(wallOf(run));
