@@ -15,9 +15,13 @@ interface Change {
   readonly to: Partial<Options>;
 }
 
+/** Rooms have walls of their own thickness and need no outline. */
+const OUTLINE = { planMethod: 'outline' } as const;
+
 /** For every parameter a change that must be seen in what is written. */
 const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   preset: { on: 'scan', to: { preset: 'paper' } },
+  planMethod: { on: 'scan', to: { planMethod: 'outline' } },
   resolution: { on: 'scan', to: { resolution: 0.2 } },
   pointBudget: { on: 'scan', to: { pointBudget: 2000 } },
   classes: { on: 'tower', from: { up: 'z', unit: 'm' }, to: { classes: '2' } },
@@ -38,12 +42,12 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   keepFloorAndCeiling: { on: 'scan', to: { keepFloorAndCeiling: true } },
   wallReach: { on: 'scan', to: { wallReach: 0 } },
   samplesPer50M2: { on: 'scan', to: { samplesPer50M2: 1000 } },
-  boundary: { on: 'scan', to: { boundary: 'convex' } },
-  openingLength: { on: 'scan', to: { openingLength: 5 } },
+  boundary: { on: 'scan', from: OUTLINE, to: { boundary: 'convex' } },
+  openingLength: { on: 'scan', from: OUTLINE, to: { openingLength: 5 } },
   bridgeGap: { on: 'slice', from: { openingLength: 0.08 }, to: { bridgeGap: 0 } },
-  alpha: { on: 'scan', from: { boundary: 'alpha-shape' }, to: { alpha: 3 } },
-  concavity: { on: 'scan', from: { boundary: 'concaveman' }, to: { concavity: 6 } },
-  noisePass: { on: 'scan', to: { noisePass: false } },
+  alpha: { on: 'scan', from: { planMethod: 'outline', boundary: 'alpha-shape' }, to: { alpha: 3 } },
+  concavity: { on: 'scan', from: { planMethod: 'outline', boundary: 'concaveman' }, to: { concavity: 6 } },
+  noisePass: { on: 'scan', from: OUTLINE, to: { noisePass: false } },
   radialPass: {
     on: 'slice',
     from: { douglasPeuckerPass: false, visvalingamPass: false },
@@ -51,8 +55,8 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   },
   douglasPeuckerPass: { on: 'slice', to: { douglasPeuckerPass: false } },
   visvalingamPass: { on: 'slice', from: { visvalingamEpsilon: 0.05 }, to: { visvalingamPass: false } },
-  cornerPass: { on: 'scan', to: { cornerPass: false } },
-  epsilon: { on: 'scan', from: { cornerPass: false }, to: { epsilon: 0.3 } },
+  cornerPass: { on: 'scan', from: OUTLINE, to: { cornerPass: false } },
+  epsilon: { on: 'scan', from: { planMethod: 'outline', cornerPass: false }, to: { epsilon: 0.3 } },
   visvalingamEpsilon: { on: 'slice', to: { visvalingamEpsilon: 0.5 } },
   secondaryCount: { on: 'slice', to: { secondaryCount: 1 } },
   secondaryMethod: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryMethod: 'robust' } },
@@ -66,8 +70,8 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   strokeWidth: { on: 'slice', from: { secondaryCount: 1 }, to: { strokeWidth: 0.3 } },
   secondaryEpsilon: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryEpsilon: 0.4 } },
   secondaryRounds: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryRounds: 2 } },
-  wallThickness: { on: 'scan', to: { wallThickness: 0.4 } },
-  wallSide: { on: 'scan', to: { wallSide: 'centre' } },
+  wallThickness: { on: 'scan', from: OUTLINE, to: { wallThickness: 0.4 } },
+  wallSide: { on: 'scan', from: OUTLINE, to: { wallSide: 'centre' } },
   wallHeight: { on: 'scan', to: { wallHeight: 1 } },
   doors: { on: 'slice', to: { doors: '300,60,0.9' } },
   floorSlab: { on: 'scan', to: { floorSlab: false } },

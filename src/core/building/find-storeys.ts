@@ -1,4 +1,5 @@
 import { CellTable } from '../cell-table.ts';
+import { DEVIATION_BY_MEDIAN, medianOf } from '../robust-scale.ts';
 import type { PointCloud } from '../types.ts';
 
 /** Height bins of the histogram, m: finer than any slab, coarser than a level floor's noise. */
@@ -15,6 +16,13 @@ const LEAST_FLOOR_SHARE = 0.3;
 const LEAST_CEILING_SHARE = 0.1;
 /** Thickest slab with what hangs below it, m. */
 const THICKEST_SLAB = 1.2;
+
+/** A plane's height is refined so often, from points within so many deviations of it, at least within LEAST_REACH, m. */
+const REFINEMENTS = 3;
+const DEVIATIONS = 2;
+const LEAST_REACH = 0.003;
+/** Points that tell a median at most. */
+const SAMPLE = 10_000;
 
 /** Heights between which a storey stands, m, in the cloud's frame. */
 export interface StoreyHeights {
@@ -57,8 +65,8 @@ export function findStoreys(cloud: PointCloud, kept: Uint32Array): readonly Stor
     const above = surfaces.filter(({ bin }) => heightAt(bin) >= floor + LEAST_HEIGHT && heightAt(bin) < next);
     const ceiling = above.reduce((best, peak) => (peak.area > best.area ? peak : best), { bin: 0, area: 0 });
     return {
-      floor: refined(areas, floor, low),
-      ceiling: refined(areas, heightAt(ceiling.bin), low),
+      floor: refined(cloud.positions, kept, floor),
+      ceiling: refined(cloud.positions, kept, heightAt(ceiling.bin)),
     };
   });
 }
@@ -112,13 +120,21 @@ function peaksOf(areas: Float64Array): Peak[] {
   return peaks;
 }
 
-/** Centre of the area around a peak. */
-function refined(areas: Float64Array, height: number, low: number): number {
-  const bin = Math.floor((height - low) / BIN);
-  let [sum, weighted] = [0, 0];
-  for (let k = Math.max(0, bin - REACH); k <= Math.min(areas.length - 1, bin + REACH); k++) {
-    sum += areas[k];
-    weighted += areas[k] * (low + (k + 0.5) * BIN);
+/** Median height of the points around a peak, looked at ever more closely. */
+function refined(positions: Float32Array, kept: Uint32Array, height: number): number {
+  let [middle, reach] = [height, (REACH + 1) * BIN];
+  for (let round = 0; round < REFINEMENTS; round++) {
+    const near = kept.filter((i) => Math.abs(positions[3 * i + 2] - middle) <= reach);
+    if (near.length === 0) break;
+    // Points are sorted by cell, so a stride takes an even sample.
+    const stride = Math.ceil(near.length / SAMPLE);
+    const heights = Float64Array.from(
+      { length: Math.ceil(near.length / stride) },
+      (_, k) => positions[3 * near[k * stride] + 2],
+    );
+    middle = medianOf(heights);
+    const deviation = DEVIATION_BY_MEDIAN * medianOf(heights.map((z) => Math.abs(z - middle)));
+    reach = Math.min(reach, Math.max(LEAST_REACH, DEVIATIONS * deviation));
   }
-  return sum > 0 ? weighted / sum : height;
+  return middle;
 }

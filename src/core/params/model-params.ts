@@ -7,7 +7,7 @@ export const MODEL_PARAMS = {
     paper: 'outline',
     stage: 'rooms',
     label: 'Plan of',
-    doc: "rooms finds storeys, rooms, walls, openings and columns; outline draws walls along the primary boundary, as the paper does, and is used where no room is found.",
+    doc: 'rooms finds storeys, rooms, walls, openings and columns; outline draws walls along the primary boundary, as the paper does, and is used where no room is found.',
     source: 'ours',
   }),
   wallThickness: number({

@@ -84,6 +84,7 @@ function planAround(
     boundary: { method: 'gift-opening', polygons: [polygon], openingLength: 1, gaps },
     regularised: { passes: [], polygons: [polygon] },
     secondary: { clusters: new Uint8Array(0), searches: [], boundaries: [] },
+    building: [],
     options: resolveOptions(given),
   };
   const plan = makePlan(parts, context);
