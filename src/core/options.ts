@@ -5,6 +5,10 @@ import { FloorPlanError } from './errors.ts';
 import type { AutoNumberRow, NumberRow, ParamRow } from './param-rows.ts';
 import { type GivenValues, type Options, PARAM_NAMES, PARAMS, type ParamName } from './params.ts';
 import { readQuantity, unitWords } from './quantity.ts';
+import type { StageName } from './stages.ts';
+
+/** Stages whose parameters make the outline and what stands in it. */
+const OUTLINE_STAGES: readonly StageName[] = ['level', 'slice', 'boundary', 'regularise', 'secondary'];
 
 /**
  * Completes and checks what a person gave: the preset's values, then theirs. Lengths and areas become metres and square
@@ -31,7 +35,17 @@ export function resolveOptions(given: GivenValues, { isSlice = false } = {}): Op
     else checkValue(name, value, found);
     options[name] = value;
   }
-  return { ...(options as Options), preset: resolved };
+  const planMethod =
+    options.planMethod === 'auto' ? methodFor(given) : (options.planMethod as Options['planMethod']);
+  return { ...(options as Options), preset: resolved, planMethod };
+}
+
+/** Who changes how the outline is made wants to see it; else rooms tell more. */
+function methodFor(given: GivenValues): 'rooms' | 'outline' {
+  const isOfOutline = (name: ParamName) =>
+    OUTLINE_STAGES.includes(PARAMS[name].stage) &&
+    (given[name] ?? PARAMS[name].default) !== PARAMS[name].default;
+  return PARAM_NAMES.some(isOfOutline) ? 'outline' : 'rooms';
 }
 
 /**

@@ -76,3 +76,12 @@ export function medianOf(values: Float64Array): number {
   const middle = values.length >> 1;
   return values.length % 2 === 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
+
+/** Values that tell a median well enough: its error is then about 3 % of their deviation. */
+const MEDIAN_SAMPLE = 2_000;
+
+/** Median of the first `count` of `values`, of which every so-many-th is looked at where they are many. O(1) beyond that. */
+export function sampledMedian(values: Float64Array, count: number): number {
+  const stride = Math.ceil(count / MEDIAN_SAMPLE);
+  return medianOf(Float64Array.from({ length: Math.ceil(count / stride) }, (_, k) => values[k * stride]));
+}

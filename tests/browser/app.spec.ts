@@ -1,5 +1,14 @@
 import { readFile } from 'node:fs/promises';
-import { dropFile, expect, expectReady, openPlan, roomCsv, stagesRun, test } from './plan-page.ts';
+import {
+  drawOutline,
+  dropFile,
+  expect,
+  expectReady,
+  openPlan,
+  roomCsv,
+  stagesRun,
+  test,
+} from './plan-page.ts';
 
 /** Every format the page offers, with what its file must begin with or hold. */
 const CONTENT: Readonly<Record<string, RegExp>> = {
@@ -187,6 +196,7 @@ test('a level can be picked; what came before the level is kept', async ({ page 
 
 test('a changed parameter runs again from its stage only, and can be undone', async ({ page }) => {
   await openPlan(page);
+  await drawOutline(page);
   const drawing = () => page.getByTestId('plan-svg').locator('svg').innerHTML();
   const before = await drawing();
   await page.locator('[data-stage=plan] > summary').click();

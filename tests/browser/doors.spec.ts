@@ -1,6 +1,6 @@
 import type { Locator, Page } from '@playwright/test';
 import type { FloorPlanElement } from '../../src/element/floor-plan.ts';
-import { dropFile, expect, expectReady, onSheet, roomCsv, test } from './plan-page.ts';
+import { drawOutline, dropFile, expect, expectReady, onSheet, roomCsv, test } from './plan-page.ts';
 
 /** A room with a gap of a metre in its south wall and one of 0.8 m in its west wall. */
 function gappyRoom(): string {
@@ -17,6 +17,7 @@ async function openRoom(page: Page): Promise<void> {
   await page.goto('./?src=');
   await dropFile(page, 'room.csv', gappyRoom());
   await expectReady(page);
+  await drawOutline(page);
 }
 
 test('a door is cut by a press on a wall, and taken away by another; undo and redo follow', async ({

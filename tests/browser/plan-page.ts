@@ -49,6 +49,15 @@ export async function openPlan(page: Page, query = ''): Promise<void> {
   await expectReady(page);
 }
 
+/** Has the plan drawn from the outline, whose walls are as thick as a parameter says and whose gaps may be doors. */
+export async function drawOutline(page: Page): Promise<void> {
+  const plan = page.locator('floor-plan');
+  await plan.evaluate((element) => element.setAttribute('plan-method', 'outline'));
+  const method = () => plan.evaluate((element) => (element as FloorPlanElement).plan?.options.planMethod);
+  await expect.poll(method).toBe('outline');
+  await expectReady(page);
+}
+
 export async function expectReady(page: Page): Promise<void> {
   await expect(page.getByTestId('status')).toHaveText('Plan ready', { timeout: 45_000 });
   await expect(page.getByTestId('plan-svg')).toBeAttached();

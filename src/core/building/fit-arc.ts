@@ -1,4 +1,4 @@
-import { DEVIATION_BY_MEDIAN, medianOf } from '../robust-scale.ts';
+import { DEVIATION_BY_MEDIAN, sampledMedian } from '../robust-scale.ts';
 import type { PointCloud } from '../types.ts';
 import type { HeightColumns } from './height-columns.ts';
 
@@ -88,7 +88,7 @@ export function fitArc(cloud: PointCloud, { points, start }: HeightColumns, arc:
     cx += step[0];
     cy += step[1];
     radius += step[2];
-    noise = Math.max(LEAST_NOISE, DEVIATION_BY_MEDIAN * medianOf(rest.slice(0, count)));
+    noise = Math.max(LEAST_NOISE, DEVIATION_BY_MEDIAN * sampledMedian(rest, count));
   }
   return { ...arc, cx, cy, radius, noise };
 }

@@ -1,4 +1,4 @@
-import { DEVIATION_BY_MEDIAN, medianOf } from '../robust-scale.ts';
+import { DEVIATION_BY_MEDIAN, sampledMedian } from '../robust-scale.ts';
 import type { PointCloud } from '../types.ts';
 import type { HeightColumns } from './height-columns.ts';
 
@@ -75,7 +75,7 @@ export function fitLine(cloud: PointCloud, columns: HeightColumns, line: Line): 
       const residual = Math.abs(xs[i] * nx + ys[i] * ny - offset);
       if (residual < reach) rest[support++] = residual;
     }
-    noise = Math.max(LEAST_NOISE, DEVIATION_BY_MEDIAN * medianOf(rest.slice(0, support)));
+    noise = Math.max(LEAST_NOISE, DEVIATION_BY_MEDIAN * sampledMedian(rest, support));
   }
   const whole = offset + x0 * nx + y0 * ny;
   return { ...line, nx, ny, offset: whole, noise, support, ...reachAlong(columns, line, nx, ny) };

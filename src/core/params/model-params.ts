@@ -2,12 +2,12 @@ import { autoNumber, choice, doors, flag, number, type ParamRow, px } from '../p
 
 /** What walls, doors and slabs are made of the outlines. Lengths in metres. */
 export const MODEL_PARAMS = {
-  planMethod: choice(['rooms', 'outline'], {
-    default: 'rooms',
+  planMethod: choice(['auto', 'rooms', 'outline'], {
+    default: 'auto',
     paper: 'outline',
     stage: 'rooms',
     label: 'Plan of',
-    doc: 'rooms finds storeys, rooms, walls, openings and columns; outline draws walls along the primary boundary, as the paper does, and is used where no room is found.',
+    doc: 'rooms finds storeys, rooms, walls, openings and columns, and falls back to the outline where no room is found; outline draws walls along the primary boundary, as the paper does; auto takes rooms unless a parameter of the outline, from its level on, is given.',
     source: 'ours',
   }),
   wallThickness: number({

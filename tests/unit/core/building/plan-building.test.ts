@@ -1,0 +1,121 @@
+import { beforeAll, describe, expect, it } from 'vitest';
+import { type SceneSpec, simulate, writePly } from '../../../../fixtures/simulator/index.ts';
+import {
+  columnRoomBuilding,
+  homeBuilding,
+  roundHallBuilding,
+} from '../../../../fixtures/simulator/layouts.ts';
+import { createStrokeTest } from '../../../../src/cli/canvas-stroke.ts';
+import { areaOf, combine } from '../../../../src/core/geometry/areas.ts';
+import { isSimpleRing } from '../../../../src/core/geometry/simplicity.ts';
+import type { FloorPlan, Polygon, Solid, Storey } from '../../../../src/core/types.ts';
+import { blobSource } from '../../../../src/read/bytes/blob-source.ts';
+import { Session } from '../../../../src/session/session.ts';
+import { checkSolid } from '../../../../src/solid/check-solid.ts';
+import { measurePlan } from '../../../accuracy/measure.ts';
+import type { Measures } from '../../../accuracy/measures.ts';
+
+const SCAN = { voxel: 0.05, raysPerStation: 60_000, stationsPerRoom: 2 };
+
+interface Made {
+  readonly plan: FloorPlan;
+  readonly solid: Solid;
+  readonly measures: Measures;
+}
+
+async function make(spec: SceneSpec): Promise<Made> {
+  const { positions, truth } = simulate({ ...spec, scan: { ...SCAN, ...spec.scan } });
+  const session = new Session({ strokeTest: createStrokeTest() });
+  const result = await session.load(blobSource(new Blob([writePly({ positions })]), `${spec.name}.ply`));
+  const [{ content }] = session.write('geojson');
+  const file = JSON.parse(typeof content === 'string' ? content : new TextDecoder().decode(content));
+  return { plan: result.plan, solid: result.solid, measures: measurePlan(file, truth) };
+}
+
+const areasOf = ({ rooms }: Storey): Polygon[] => rooms.map(({ outline }) => outline);
+
+describe('a furnished home', () => {
+  let home: Made;
+  beforeAll(async () => {
+    home = await make({ name: 'home', building: homeBuilding(42, { shape: 'L' }), pose: { heading: 0.4 } });
+  });
+
+  it('has its rooms, to a centimetre', () => {
+    expect(home.measures).toMatchObject({ roomF1: 1, valid: 1, invalid: 0 });
+    expect(home.measures.roomAreaErrorPct).toBeLessThan(1);
+    expect(home.measures.footprintIou).toBeGreaterThan(0.99);
+    expect(home.measures.faceMedianMm).toBeLessThan(4);
+  });
+
+  it('has its doors and windows', () => {
+    expect(home.measures.doorF1).toBeGreaterThan(0.85);
+    expect(home.measures.windowF1).toBeGreaterThan(0.85);
+    expect(home.measures.openingWidthErrorMm).toBeLessThan(30);
+  });
+
+  it('rooms, walls and outline do not overlap and leave nothing between them', () => {
+    const [storey] = home.plan.storeys;
+    const rooms = areasOf(storey);
+    expect(areaOf(combine('union', rooms))).toBeCloseTo(areaOf(rooms), 6);
+    const walls = storey.walls.map(({ outline }) => outline);
+    expect(areaOf(combine('union', walls))).toBeCloseTo(areaOf(walls), 3);
+    expect(areaOf(combine('intersection', rooms, walls))).toBeLessThan(1e-3);
+    const rest = combine('difference', storey.primary, [...rooms, ...walls]);
+    expect(areaOf(rest)).toBeLessThan(1e-2);
+    for (const { outer, holes } of [...rooms, ...walls, ...storey.primary]) {
+      for (const ring of [outer, ...holes]) expect(isSimpleRing(ring)).toBe(true);
+    }
+  });
+
+  it('rooms are named in reading order, with heights and confidences', () => {
+    const [{ rooms }] = home.plan.storeys;
+    expect(rooms.map(({ name }) => name)).toEqual(rooms.map((_, i) => `Room ${i + 1}`));
+    for (const { height, confidence } of rooms) {
+      expect(height).toBeGreaterThan(2.2);
+      expect(confidence).toBeGreaterThan(0.5);
+      expect(confidence).toBeLessThanOrEqual(1);
+    }
+  });
+
+  it('is a closed model with holes for the openings', () => {
+    expect(checkSolid(home.solid)).toMatchObject({ openEdges: 0 });
+    expect(home.plan.storeys[0].openings.length).toBeGreaterThan(3);
+  });
+});
+
+it('a house has a plan a storey', async () => {
+  const { plan, measures } = await make({ name: 'house', building: homeBuilding(43, { storeys: 2 }) });
+  expect(plan.storeys.map(({ index }) => index)).toEqual([0, 1]);
+  expect(plan.storeys[1].floor - plan.storeys[0].floor).toBeGreaterThan(2.4);
+  expect(measures.roomF1).toBeGreaterThan(0.9);
+});
+
+it('a curved wall is a fine polygon on its arc', async () => {
+  const { plan, measures } = await make({ name: 'hall', building: roundHallBuilding(44) });
+  expect(measures.roomF1).toBe(1);
+  expect(measures.footprintIou).toBeGreaterThan(0.99);
+  expect(measures.faceMedianMm).toBeLessThan(5);
+  expect(Math.max(...plan.storeys[0].rooms.map(({ outline }) => outline.outer.length / 2))).toBeGreaterThan(
+    15,
+  );
+});
+
+it('a column is a structure, not a room', async () => {
+  const { plan, measures } = await make({ name: 'column', building: columnRoomBuilding(45, 'round') });
+  expect(plan.storeys[0].rooms).toHaveLength(1);
+  expect(measures.structureF1).toBe(1);
+});
+
+it('a garden wall has no rooms, and says so', async () => {
+  const rows = ['x,y,z'];
+  for (let i = 0; i < 400; i++)
+    for (let k = 0; k < 40; k++) rows.push(`${i * 0.05},${0.01 * Math.sin(i)},${k * 0.05}`);
+  for (let i = 0; i < 100; i++) for (let k = 0; k < 100; k++) rows.push(`${i * 0.2},${k * 0.2 - 10},0`);
+  const session = new Session({ strokeTest: createStrokeTest() });
+  const { plan } = await session.load(blobSource(new Blob([rows.join('\n')]), 'garden.csv'), {
+    up: 'z',
+    unit: 'm',
+  });
+  expect(plan.storeys[0].rooms).toEqual([]);
+  expect(plan.warnings.map(({ code }) => code)).toContain('rooms/none-found');
+});
