@@ -7,9 +7,8 @@ import {
   JoinType,
   type Path64,
   type Paths64,
-  PolyTree64,
 } from 'clipper2-ts';
-import { polygonsOf } from './geometry/poly-tree.ts';
+import { nestPaths } from './geometry/nest-paths.ts';
 import { orientRing, perimeter, signedArea } from './geometry/rings.ts';
 import type { Options } from './params.ts';
 import type { Polygon, Ring } from './types.ts';
@@ -54,9 +53,9 @@ export function strokeContour({ outer, holes }: Polygon, reach: PenReach): Polyg
   const clipper = new Clipper64();
   clipper.addSubject(offsetPaths(paths, reach.outside));
   clipper.addClip(offsetPaths(paths, -reach.inside));
-  const tree = new PolyTree64();
-  clipper.execute(ClipType.Difference, FillRule.NonZero, tree);
-  const polygons = polygonsOf(tree, (path, turn) => grid.toRing(path, turn));
+  const cut: Paths64 = [];
+  clipper.execute(ClipType.Difference, FillRule.NonZero, cut);
+  const polygons = nestPaths(cut, (path, turn) => grid.toRing(path, turn));
   return polygons.sort((a, b) => signedArea(b.outer) - signedArea(a.outer));
 }
 

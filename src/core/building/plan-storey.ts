@@ -1,4 +1,4 @@
-import { areaOf, combine } from '../geometry/areas.ts';
+import { areaOf, combine, grow } from '../geometry/areas.ts';
 import { centroid, perimeter } from '../geometry/rings.ts';
 import { medianOf } from '../robust-scale.ts';
 import { distanceToRing } from '../secondary/structure.ts';
@@ -10,7 +10,7 @@ import type { StoreyHeights } from './find-storeys.ts';
 import { type HeightColumns, hasPlane, heightColumns } from './height-columns.ts';
 import { localCeiling } from './local-ceiling.ts';
 import { type FacePair, pairFaces } from './pair-faces.ts';
-import { primaryOutline } from './primary-outline.ts';
+import { primaryOutline, withoutDebris } from './primary-outline.ts';
 import { edgesOf, type RoomEdge } from './room-edges.ts';
 import { roomHeights } from './room-heights.ts';
 import { unseenStretches } from './unseen-stretches.ts';
@@ -25,6 +25,10 @@ const FACE_BAND = 0.03;
 const FACE_DEVIATIONS = 3;
 /** Least noise of a face, m, where none is known. */
 const USUAL_NOISE = 0.01;
+/** A wall's strip reaches so far into the rooms beside it, m. */
+const STRIP_MARGIN = 0.005;
+/** Half the width of what is no wall but rounding, m. */
+const SLIVER = 0.001;
 /** Leftovers of walls smaller than this are debris, m². */
 const DEBRIS = 1e-4;
 /** Rows of rooms are read from above: rooms whose middles differ by less than this in height are in one, m. */
@@ -148,19 +152,25 @@ function innerWalls(
 ): Wall[] {
   const solid = combine('difference', primary, rooms);
   const pieces = pairs.map((pair) => combine('intersection', solid, [{ outer: pairRing(pair), holes: [] }]));
-  const rest = combine('difference', solid, pieces.flat());
+  // What is left are the crossings of walls, and slivers along them, which go.
+  const left = combine('difference', solid, pieces.flat());
+  const rest = combine('intersection', left, grow(grow(left, -SLIVER), SLIVER));
   for (const leftover of rest) {
     if (areaOf([leftover]) < DEBRIS) continue;
     const near = nearestPiece(leftover, pieces);
     if (near >= 0) pieces[near] = combine('union', [...pieces[near], leftover]);
   }
   return pieces.flatMap((piece, i) =>
-    piece.map((outline): Wall => {
+    piece.map(tidied).map((outline): Wall => {
       const { face, back, thickness } = pairs[i];
       const hidden = [face, back].every(({ owner }) => unseen[owner].some((gap) => touches(gap, pairs[i])));
       return { outline, thickness, confidence: hidden ? 0.5 : 1 };
     }),
   );
+}
+
+function tidied({ outer, holes }: Polygon): Polygon {
+  return { outer: withoutDebris(outer), holes: holes.map(withoutDebris) };
 }
 
 function touches({ from, to }: Gap, { face, thickness }: FacePair): boolean {
@@ -182,15 +192,22 @@ function nearestPiece(leftover: Polygon, pieces: readonly (readonly Polygon[])[]
   return best;
 }
 
+/** The strip of a wall, a little wider than it is: what is cut out of the area between rooms then leaves no slivers. */
 function pairRing({ face, back, from, to }: FacePair): Float64Array {
-  const onFace = (along: number) => [face.ax + along * face.ux, face.ay + along * face.uy];
+  const onFace = (along: number, out: number) => [
+    face.ax + along * face.ux + out * face.uy,
+    face.ay + along * face.uy - out * face.ux,
+  ];
   const onBack = (along: number) => {
-    const [x, y] = onFace(along);
+    const [x, y] = onFace(along, 0);
     const t = (x - back.ax) * back.ux + (y - back.ay) * back.uy;
-    return [back.ax + t * back.ux, back.ay + t * back.uy];
+    // Away from the room behind is towards the face.
+    return [back.ax + t * back.ux - STRIP_MARGIN * back.uy, back.ay + t * back.uy + STRIP_MARGIN * back.ux];
   };
   // The room is on the face's left, so the wall is on its right.
-  return Float64Array.from([onFace(from), onBack(from), onBack(to), onFace(to)].flat());
+  return Float64Array.from(
+    [onFace(from, -STRIP_MARGIN), onBack(from), onBack(to), onFace(to, -STRIP_MARGIN)].flat(),
+  );
 }
 
 function unseenOf(site: Site, edge: RoomEdge, looks: readonly LookedInto[]): Gap[] {

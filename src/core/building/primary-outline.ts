@@ -23,7 +23,8 @@ export function primaryOutline(rooms: readonly Polygon[], thickest: number): Pol
   }));
 }
 
-function withoutDebris(ring: Float64Array): Float64Array {
+/** A ring without vertices that lie on the way from their neighbour to the next, or all but so. */
+export function withoutDebris(ring: Float64Array): Float64Array {
   let current = ring;
   for (let i = 0; i < current.length && current.length > 8; ) {
     if (asideOf(current, i) < STRAIGHT)

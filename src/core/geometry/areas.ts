@@ -7,10 +7,9 @@ import {
   JoinType,
   type Path64,
   type Paths64,
-  PolyTree64,
 } from 'clipper2-ts';
 import type { Polygon, Ring } from '../types.ts';
-import { polygonsOf } from './poly-tree.ts';
+import { nestPaths } from './nest-paths.ts';
 import { orientRing, perimeter, polygonArea, signedArea } from './rings.ts';
 
 /** Grid of the Booleans: steps of a micrometre, so lengths given in decimals come back digit for digit. */
@@ -53,9 +52,9 @@ export function combine(
   clipper.preserveCollinear = false;
   clipper.addSubject(toPaths(subject, origin));
   if (clip.length > 0) clipper.addClip(toPaths(clip, origin));
-  const tree = new PolyTree64();
-  clipper.execute(CLIP_TYPES[operation], FillRule.Positive, tree);
-  return polygonsOf(tree, (path, turn) => toRing(path, origin, turn));
+  const paths: Paths64 = [];
+  clipper.execute(CLIP_TYPES[operation], FillRule.Positive, paths);
+  return nestPaths(paths, (path, turn) => toRing(path, origin, turn));
 }
 
 /**
@@ -69,9 +68,9 @@ export function grow(polygons: readonly Polygon[], distance: number): Polygon[] 
   const origin: Origin = [Math.round(whole[0].outer[0]), Math.round(whole[0].outer[1])];
   const offset = new ClipperOffset(MITRE_LIMIT);
   offset.addPaths(toPaths(whole, origin), JoinType.Miter, EndType.Polygon);
-  const tree = new PolyTree64();
-  offset.execute(distance * STEPS_PER_METRE, tree);
-  return polygonsOf(tree, (path, turn) => toRing(path, origin, turn));
+  const paths: Paths64 = [];
+  offset.execute(distance * STEPS_PER_METRE, paths);
+  return nestPaths(paths, (path, turn) => toRing(path, origin, turn));
 }
 
 /** Area of polygons that do not overlap, m². */
