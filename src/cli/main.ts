@@ -66,7 +66,7 @@ async function runOne(
   command: Command,
   signal: AbortSignal,
 ): Promise<Report> {
-  const session = new Session({ strokeTest: createStrokeTest(), breathe });
+  const session = new Session({ strokeTest: createStrokeTest() });
   const bar = progressBar(inputs.map(fileName).join(' + '));
   const start = performance.now();
   const sources: ByteSource[] = [];
@@ -124,9 +124,4 @@ function exitCode(code: string): number {
 
 function fileName(input: string): string {
   return input.split(/[\\/]/).pop() || input;
-}
-
-/** Lets SIGINT be seen between stages. */
-function breathe(): Promise<void> {
-  return new Promise((resolve) => setImmediate(resolve));
 }
