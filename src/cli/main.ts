@@ -12,6 +12,7 @@ import { type Command, parseArguments } from './arguments.ts';
 import { createStrokeTest } from './canvas-stroke.ts';
 import { helpText } from './help.ts';
 import { nodeSource } from './node-source.ts';
+import { summaryText } from './summary.ts';
 import { writeFolder } from './write-folder.ts';
 
 declare const GRUNDRISS_VERSION: string;
@@ -43,6 +44,7 @@ async function runAll(command: Command, signal: AbortSignal): Promise<void> {
   const scans = command.isMerge ? [command.inputs] : command.inputs.map((input) => [input]);
   for (const [i, inputs] of scans.entries()) {
     const report = await runOne(inputs, folders[i], command, signal);
+    if (process.stderr.isTTY) process.stderr.write(summaryText(report));
     process.stdout.write(`${JSON.stringify(report)}\n`);
   }
 }
