@@ -12,6 +12,7 @@ import { type Command, parseArguments } from './arguments.ts';
 import { createStrokeTest } from './canvas-stroke.ts';
 import { helpText } from './help.ts';
 import { nodeSource } from './node-source.ts';
+import { summaryText } from './summary.ts';
 import { writeFolder } from './write-folder.ts';
 
 declare const GRUNDRISS_VERSION: string;
@@ -43,6 +44,7 @@ async function runAll(command: Command, signal: AbortSignal): Promise<void> {
   const scans = command.isMerge ? [command.inputs] : command.inputs.map((input) => [input]);
   for (const [i, inputs] of scans.entries()) {
     const report = await runOne(inputs, folders[i], command, signal);
+    if (process.stderr.isTTY) process.stderr.write(summaryText(report));
     process.stdout.write(`${JSON.stringify(report)}\n`);
   }
 }
@@ -66,7 +68,7 @@ async function runOne(
   command: Command,
   signal: AbortSignal,
 ): Promise<Report> {
-  const session = new Session({ strokeTest: createStrokeTest(), breathe });
+  const session = new Session({ strokeTest: createStrokeTest() });
   const bar = progressBar(inputs.map(fileName).join(' + '));
   const start = performance.now();
   const sources: ByteSource[] = [];
@@ -124,9 +126,4 @@ function exitCode(code: string): number {
 
 function fileName(input: string): string {
   return input.split(/[\\/]/).pop() || input;
-}
-
-/** Lets SIGINT be seen between stages. */
-function breathe(): Promise<void> {
-  return new Promise((resolve) => setImmediate(resolve));
 }

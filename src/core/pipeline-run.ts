@@ -140,7 +140,9 @@ export class PipelineRun {
       if (stage === name) break;
       before += STAGES[stage].share;
     }
-    this.#control.onProgress?.({ stage: name, share: before + STAGES[name].share * Math.min(1, share) });
+    // The shares of all stages add up to 1 but for rounding.
+    const sum = Math.min(1, before + STAGES[name].share * Math.min(1, share));
+    this.#control.onProgress?.({ stage: name, share: sum });
   }
 }
 

@@ -6,6 +6,9 @@ import { icon } from './icon.ts';
 import { make, setText } from './make.ts';
 import type { Model } from './model.ts';
 
+/** What the points of a scan that has both may be coloured by. */
+const SHADES = { colour: 'Colour', intensity: 'Intensity', height: 'Height' } as const;
+type Shade = keyof typeof SHADES;
 const LAYERS = { model: 'Model', cloud: 'Points', grid: 'Grid', ceiling: 'Ceiling' } as const;
 
 /** The 3D view with what switches it. Its code comes when it is first seen, so the plan does not wait for it. */
@@ -14,6 +17,7 @@ export class ScenePane {
   readonly #notice = make('p', { class: 'notice', hidden: true, role: 'status' });
   readonly #axes: AxisEvents;
   readonly node: HTMLElement;
+  readonly #shades: HTMLSelectElement;
   #layers: SceneLayers = { model: true, cloud: true, grid: true, ceiling: false };
   #scene: SceneView | null = null;
   #opening: Promise<SceneView | null> | null = null;
@@ -36,6 +40,19 @@ export class ScenePane {
       { type: 'button', class: 'chip', on: { click: () => this.#scene?.lookFromAbove() } },
       'From above',
     );
+    const options = Object.entries(SHADES).map(([value, label]) => make('option', { value }, label));
+    this.#shades = make(
+      'select',
+      {
+        class: 'shade-choice',
+        testid: 'shades',
+        'aria-label': 'Points coloured by',
+        title: 'What the points are coloured by',
+        hidden: true,
+        on: { change: () => this.#shown && this.#scene?.show(this.#contentOf(this.#shown), false) },
+      },
+      ...options,
+    );
     const tools = make(
       'div',
       { class: 'tools' },
@@ -49,6 +66,7 @@ export class ScenePane {
       { class: 'pane pane-3d', 'aria-label': 'Model' },
       tools,
       this.#host,
+      this.#shades,
       this.#notice,
     );
   }
@@ -71,7 +89,8 @@ export class ScenePane {
     const subject = JSON.stringify([name, up, metresPerUnit]);
     const isNew = subject !== this.#subject;
     this.#subject = subject;
-    scene.show(contentOf(view), isNew);
+    this.#shades.hidden = !view.cloud.colour || !view.cloud.intensity;
+    scene.show(this.#contentOf(view), isNew);
   }
 
   async preview(positions: Float32Array): Promise<void> {
@@ -110,9 +129,16 @@ export class ScenePane {
     setText(this.#notice, words);
     this.#notice.hidden = false;
   }
-}
 
-function contentOf({ solid, cloud, plan }: PlanView): SceneContent {
-  const top = Math.max(...plan.storeys.map(({ floor, height }) => floor + height));
-  return { solid, positions: cloud.positions, colour: cloud.colour, top, frame: plan.frame };
+  #contentOf({ solid, cloud, plan }: PlanView): SceneContent {
+    const top = Math.max(...plan.storeys.map(({ floor, height }) => floor + height));
+    const shades: Record<Shade, Uint8Array | undefined> = {
+      colour: cloud.colour ?? cloud.intensity,
+      intensity: cloud.intensity,
+      height: undefined,
+    };
+    // A choice made for one scan does not hold for one that leaves none.
+    const shade = this.#shades.hidden ? 'colour' : (this.#shades.value as Shade);
+    return { solid, positions: cloud.positions, colour: shades[shade], top, frame: plan.frame };
+  }
 }

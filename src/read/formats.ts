@@ -8,7 +8,7 @@ import { PCD_FORMAT } from './pcd/pcd.ts';
 import { PLY_FORMAT } from './ply/ply.ts';
 import { PTS_FORMAT } from './pts/pts.ts';
 import { PTX_FORMAT } from './ptx/ptx.ts';
-import { isText, recogniseForeign } from './signatures.ts';
+import { extensionOf, type Foreign, foreignByName, isText, recogniseForeign } from './signatures.ts';
 import { CSV_FORMAT } from './text/csv.ts';
 
 /**
@@ -61,14 +61,19 @@ export function detectFormat(head: Uint8Array, name: string): ReadFormatName {
   // A text that is no sure table: its reader can say where it goes wrong.
   const text = TEXT_FORMATS.find((format) => isNamedAs(format, name));
   if (text && !foreign && isText(head)) return text;
+  throw unknownFormat(name, foreign?.hint ? foreign : (foreignByName(name) ?? foreign), isText(head));
+}
+
+function unknownFormat(name: string, foreign: Foreign | null, isPlainText: boolean): FloorPlanError {
   const named = READ_FORMAT_NAMES.find((format) => isNamedAs(format, name));
-  const expected = named ? `a ${READ_FORMATS[named].label} file` : labels();
-  const found = foreign ?? (isText(head) ? 'text that is no table of points' : 'bytes of no known kind');
-  throw new FloorPlanError(
+  const expected = named ? `the content of a ${READ_FORMATS[named].label} file` : 'a point cloud';
+  const found = foreign?.what ?? (isPlainText ? 'text that is no table of points' : 'bytes of no known kind');
+  const labels = READ_FORMAT_NAMES.map((format) => READ_FORMATS[format].label);
+  return new FloorPlanError(
     'input/unknown-format',
     `${name}: expected ${expected}, found what looks like ${found}`,
     {
-      hint: `Save the cloud as ${labels()}.`,
+      hint: foreign?.hint ?? `Read are ${labels.slice(0, -1).join(', ')} and ${labels.at(-1)}.`,
       detail: { found },
     },
   );
@@ -76,9 +81,5 @@ export function detectFormat(head: Uint8Array, name: string): ReadFormatName {
 
 function isNamedAs(format: ReadFormatName, name: string): boolean {
   const extensions: readonly string[] = READ_FORMATS[format].extensions;
-  return extensions.includes(name.slice(name.lastIndexOf('.') + 1).toLowerCase());
-}
-
-function labels(): string {
-  return READ_FORMAT_NAMES.map((name) => READ_FORMATS[name].label).join(' or ');
+  return extensions.includes(extensionOf(name));
 }

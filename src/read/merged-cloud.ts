@@ -14,11 +14,16 @@ export interface CloudPart {
  * Several clouds in one system of coordinates as one, part after part: tiles, or the scans of several stations.
  *
  * @param parts at least one
+ * @param found what is to be warned of beside
  * @throws input/malformed, where parts differ in kind or unit
  */
-export function mergeClouds(parts: readonly CloudPart[]): OpenCloud {
-  if (parts.length === 1) return parts[0].cloud;
-  const own = mixedCrs(parts);
+export function mergeClouds(parts: readonly CloudPart[], found: readonly Warning[] = []): OpenCloud {
+  if (parts.length === 1) {
+    const [{ cloud }] = parts;
+    cloud.warnings.push(...found);
+    return cloud;
+  }
+  const own = [...found, ...mixedCrs(parts)];
   const warnings = [...own];
   const stations: Vec3[] = [];
   const crs = parts.find(({ cloud }) => cloud.crs !== undefined)?.cloud.crs;

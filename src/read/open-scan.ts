@@ -24,16 +24,19 @@ interface OpenPart extends CloudPart {
 
 /**
  * Opens sources, and the files of those that are archives, as one cloud: formats are told by content first and by
- * extension second. In an archive, files that are no clouds are passed over.
+ * extension second. Of several files, those that are no clouds are passed over with a warning.
  *
  * @param sources at least one
  * @throws input/empty, input/unknown-format, and what readers and archives throw
  */
 export async function openScan(sources: readonly ByteSource[]): Promise<OpenScan> {
+  const clouds = sources.length === 1 ? sources : await cloudsAmong(sources);
   const parts: OpenPart[] = [];
-  for (const source of sources) parts.push(...(await openParts(source, 0)));
+  // Where none is a cloud, the first tells what it is instead.
+  for (const source of clouds.length > 0 ? clouds : sources.slice(0, 1))
+    parts.push(...(await openParts(source, 0)));
   const formats = [...new Set(parts.map(({ format }) => format))];
-  return { format: formats.sort().join('+'), cloud: mergeClouds(parts) };
+  return { format: formats.sort().join('+'), cloud: mergeClouds(parts, passedOver(sources, clouds)) };
 }
 
 async function openParts(source: ByteSource, depth: number): Promise<OpenPart[]> {
@@ -69,15 +72,14 @@ async function openPacked(
     const opened = await openParts(file, depth);
     parts.push(...opened.map((part) => ({ ...part, cloud: withPackedProgress(part.cloud, file) })));
   }
-  const passedOver = files.filter((file) => !clouds.includes(file)).map(({ name }) => name);
-  if (passedOver.length > 0) parts[0].cloud.warnings.push(passedOverWarning(archive, passedOver));
+  parts[0].cloud.warnings.push(...passedOver(files, clouds));
   // The archive's size is what there is to read.
   return parts.map((part) => ({ ...part, size: files.length === 1 ? archive.size : undefined }));
 }
 
 /** Those whose content tells that they are clouds, or archives: a picture or a note beside the tiles is none. */
-async function cloudsAmong(files: readonly UnpackedSource[]): Promise<UnpackedSource[]> {
-  const clouds: UnpackedSource[] = [];
+async function cloudsAmong<T extends ByteSource>(files: readonly T[]): Promise<T[]> {
+  const clouds: T[] = [];
   for (const file of files) {
     const head = await file.slice(0, HEAD_BYTES);
     if (isArchive(head) || READ_FORMAT_NAMES.some((format) => READ_FORMATS[format].detect(head)))
@@ -94,11 +96,19 @@ function withPackedProgress(cloud: OpenCloud, file: UnpackedSource): OpenCloud {
   };
 }
 
-function passedOverWarning({ name }: ByteSource, files: readonly string[]): Warning {
-  const found = files.length === 1 ? files[0] : `${files.length} files, ${files[0]} among them,`;
-  return {
-    code: 'read/files-passed-over',
-    message: `${name}: ${found} ${files.length === 1 ? 'is no point cloud and was' : 'are no point clouds and were'} passed over.`,
-    hint: 'If the scan is not whole, unpack the archive and load its files by hand.',
-  };
+/** A warning that names the files which are no clouds, where there are any. */
+function passedOver(files: readonly ByteSource[], clouds: readonly ByteSource[]): readonly Warning[] {
+  const names = files.filter((file) => !clouds.includes(file)).map(({ name }) => name);
+  if (names.length === 0) return [];
+  const isOne = names.length === 1;
+  const found = isOne
+    ? `${names[0]} is no point cloud and was`
+    : `${names.length} files, ${names[0]} among them, are no point clouds and were`;
+  return [
+    {
+      code: 'read/files-passed-over',
+      message: `${found} passed over.`,
+      hint: 'If the scan is not whole, load the files that are missing by themselves: then they tell what is wrong with them.',
+    },
+  ];
 }

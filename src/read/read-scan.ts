@@ -8,6 +8,7 @@ import type { Scan, Warning } from '../core/types.ts';
 import type { ByteSource } from './bytes/source.ts';
 import { ClassFilter } from './class-filter.ts';
 import type { OpenCloud, PointChunk } from './cloud-reader.ts';
+import { assertPlane } from './geographic.ts';
 import { makeScan } from './make-scan.ts';
 import { nextTurn } from './next-turn.ts';
 import { openScan } from './open-scan.ts';
@@ -101,6 +102,7 @@ export async function readScan(
     target: run.target,
     warnings: run.warnings,
   });
+  assertPlane(scan, options);
   assertEnough(scan);
   if (scan.facts.pointsKept <= CHECKED_POINTS) checkSpread(scan.positions);
   return scan;

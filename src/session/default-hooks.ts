@@ -1,10 +1,12 @@
 import { canvasStrokeTest } from '../core/canvas-stroke.ts';
 import { FloorPlanError } from '../core/errors.ts';
 import type { PipelineHooks } from '../core/pipeline-run.ts';
+import { nextTurn } from '../read/next-turn.ts';
 
-/** The environment's own clock and canvas, in browser and worker; Node has no canvas of its own. */
+/** The environment's own clock, event loop and canvas, in browser and worker; Node has no canvas of its own. */
 export const DEFAULT_HOOKS: PipelineHooks = {
   now: () => performance.now(),
+  breathe: nextTurn,
   strokeTest: canvasStrokeTest(() => {
     const canvas = typeof OffscreenCanvas === 'undefined' ? null : new OffscreenCanvas(1, 1);
     const context = canvas?.getContext('2d');

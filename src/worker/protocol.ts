@@ -92,8 +92,10 @@ export interface ComparedPlan {
 
 export interface CloudView {
   readonly positions: Float32Array;
-  /** r, g, b a point, 0 to 255: the colours of the scan, or its intensities as greys. */
+  /** r, g, b a point, 0 to 255. */
   readonly colour?: Uint8Array;
+  /** The scan's intensities as greys, likewise. */
+  readonly intensity?: Uint8Array;
   /** Points the sample stands for. */
   readonly total: number;
 }

@@ -67,7 +67,7 @@ const NO_RUN: ShownRun = { results: {}, times: new Map() };
 /** The session with what the page asks of it beside runs. */
 class Desk {
   readonly #post: Post;
-  readonly #session = new Session({ breathe });
+  readonly #session = new Session();
   readonly #pictures = new PictureDesk();
   readonly #runs: Record<PictureOf, ShownRun> = { plan: NO_RUN, failed: NO_RUN };
 
@@ -160,16 +160,4 @@ function controlOf(id: number, signal: AbortSignal, post: Post): SessionControl 
     },
     onPreview: (positions) => post({ kind: 'preview', id, positions }),
   };
-}
-
-/** Lets the messages that wait be seen. */
-function breathe(): Promise<void> {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
 }

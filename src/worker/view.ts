@@ -37,8 +37,8 @@ export function makeView(
     report: makeReport(result, totalMs),
     pictures,
   };
-  const arrays = [cloud.positions, surroundings.cropped, ...(cloud.colour ? [cloud.colour] : [])];
-  return { view, transfer: arrays.map(({ buffer }) => buffer as ArrayBuffer) };
+  const arrays = [cloud.positions, surroundings.cropped, cloud.colour, cloud.intensity];
+  return { view, transfer: arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : [])) };
 }
 
 /** Shares of the points that are shown black and white: a few glints would darken all else. */
@@ -52,25 +52,30 @@ function sampleCloud({ positions, attributes }: PointCloud): CloudView {
   const size = Math.ceil(total / step);
   const xyz = new Float32Array(size * 3);
   const colour = sampleColour(attributes, step, size);
+  const intensity = sampleIntensity(attributes, step, size);
   for (let i = 0; i < size; i++) {
     for (let k = 0; k < 3; k++) xyz[3 * i + k] = positions[3 * i * step + k];
   }
-  return colour ? { positions: xyz, colour, total } : { positions: xyz, total };
+  return { positions: xyz, ...(colour && { colour }), ...(intensity && { intensity }), total };
 }
 
-/** r, g, b of every `step`-th point; intensity in greys where the scan has no colour. */
-function sampleColour({ colour, intensity }: PointAttributes, step: number, size: number): Uint8Array | null {
-  const shades = new Uint8Array(size * 3);
-  if (colour) {
-    for (let i = 0; i < shades.length; i++) shades[i] = colour[3 * step * Math.floor(i / 3) + (i % 3)];
-    return shades;
-  }
+/** r, g, b of every `step`-th point. */
+function sampleColour({ colour }: PointAttributes, step: number, size: number): Uint8Array | null {
+  if (!colour) return null;
+  const sample = new Uint8Array(size * 3);
+  for (let i = 0; i < sample.length; i++) sample[i] = colour[3 * step * Math.floor(i / 3) + (i % 3)];
+  return sample;
+}
+
+/** Greys of every `step`-th point; null where all are alike. */
+function sampleIntensity({ intensity }: PointAttributes, step: number, size: number): Uint8Array | null {
   if (!intensity) return null;
   const sample = Float32Array.from({ length: size }, (_, i) => intensity[i * step]);
   const sorted = sample.toSorted();
   const black = sorted[Math.floor(BLACK_SHARE * size)];
   const white = sorted[Math.floor(WHITE_SHARE * size)];
   if (!(white > black)) return null;
+  const shades = new Uint8Array(size * 3);
   for (let i = 0; i < size; i++) {
     const share = Math.min(1, Math.max(0, (sample[i] - black) / (white - black)));
     shades.fill(Math.round(255 * share), 3 * i, 3 * i + 3);

@@ -248,7 +248,37 @@ async function download(page: import('@playwright/test').Page, format: string): 
 }
 
 /** Distinct colours of a picture: a blank one has few. */
+
+test('points are coloured by colour, intensity or height, where the scan has both', async ({ page }) => {
+  await page.goto('./?src=');
+  await dropFile(page, 'room.csv', roomCsv());
+  await expectReady(page);
+  await expect(page.getByTestId('shades')).toBeHidden();
+  const [, ...rows] = roomCsv().trim().split('\n');
+  const coloured = rows.map((row, i) => `${row},255,0,0,${i % 256}`);
+  await dropFile(page, 'red.csv', ['x,y,z,red,green,blue,intensity', ...coloured].join('\n'));
+  await expect(page.getByText(/red\.csv · /)).toBeVisible();
+  await expectReady(page);
+  const reds = async () => redIn(page, await page.getByTestId('scene-3d').screenshot());
+  await expect.poll(reds).toBeGreaterThan(50);
+  for (const shade of ['intensity', 'height']) {
+    await page.getByTestId('shades').selectOption(shade);
+    await expect.poll(reds).toBe(0);
+  }
+});
+
+/** Pixels of pure red. */
+async function redIn(page: import('@playwright/test').Page, png: Buffer): Promise<number> {
+  const pixels = await pixelsOf(page, png);
+  return pixels.filter((word) => (word & 0xffffff) === 0xff).length;
+}
+
 async function coloursIn(page: import('@playwright/test').Page, png: Buffer): Promise<number> {
+  return new Set(await pixelsOf(page, png)).size;
+}
+
+/** Pixels of a picture, blue, green and red from the highest byte but one down. */
+async function pixelsOf(page: import('@playwright/test').Page, png: Buffer): Promise<number[]> {
   return page.evaluate(async (base64) => {
     const picture = await createImageBitmap(
       new Blob([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))]),
@@ -256,7 +286,6 @@ async function coloursIn(page: import('@playwright/test').Page, png: Buffer): Pr
     const canvas = new OffscreenCanvas(picture.width, picture.height);
     const context = canvas.getContext('2d')!;
     context.drawImage(picture, 0, 0);
-    const pixels = new Uint32Array(context.getImageData(0, 0, picture.width, picture.height).data.buffer);
-    return new Set(pixels).size;
+    return [...new Uint32Array(context.getImageData(0, 0, picture.width, picture.height).data.buffer)];
   }, png.toString('base64'));
 }

@@ -146,6 +146,8 @@ function spoilOne(root: Holder, random: Random): void {
     }
   };
   collect(root);
+  // An edit before has taken the root itself away.
+  if (places.length === 0) return;
   const [holder, key] = random.pick(places);
   const value = holder[key];
   const [other, otherKey] = random.pick(places);

@@ -17,6 +17,8 @@ const METRES: Readonly<Record<Exclude<Unit, 'px'>, number>> = {
 const CANDIDATES = ['m', 'mm', 'cm', 'ft'] as const;
 /** Distance from a floor to its ceiling, m: a cellar to a hall. */
 const STOREY_HEIGHT = { least: 2, most: 6 };
+/** Planes nearer than this to floor or ceiling, m, are tables, steps and lowered ceilings; others part two storeys. */
+const HEADROOM = 1;
 /** Longest side of a scanned interior, m: a closet to an airport. */
 export const EXTENT = { least: 1, most: 1000 };
 /** Longest side expected where no storey height tells more, m: a room to a hall. */
@@ -49,7 +51,8 @@ export function statedUnit(scan: Pick<Scan, 'unit'>, options: Omit<UnitOptions, 
  * The unit of a scan just read: given, stated, or judged from storey height and extent.
  *
  * Ours. A candidate is plausible when two of the cloud's strong horizontal planes are a storey apart; among
- * those the one with the largest planes wins. O(n), at most a million points are looked at.
+ * those the one with the largest planes wins. Two storeys in metres are not one in feet: what a plane halfway up covers
+ * does not count. O(n), at most a million points are looked at.
  *
  * @param scan source axes and units; positions not all equal
  */
@@ -108,11 +111,23 @@ function largestStorey(planes: readonly HeightPlane[], metresPerUnit: number) {
   for (const low of planes) {
     for (const high of planes) {
       const height = high.height - low.height;
-      const area = Math.min(low.area, high.area);
-      if (area > best.area && isWithin(height * metresPerUnit, STOREY_HEIGHT)) best = { area, height };
+      if (!isWithin(height * metresPerUnit, STOREY_HEIGHT)) continue;
+      const area = Math.min(low.area, high.area) - areaBetween(planes, low, high, HEADROOM / metresPerUnit);
+      if (area > best.area) best = { area, height };
     }
   }
   return best;
+}
+
+/** Of the largest plane that is further than `reach` from both. */
+function areaBetween(
+  planes: readonly HeightPlane[],
+  low: HeightPlane,
+  high: HeightPlane,
+  reach: number,
+): number {
+  const between = planes.filter(({ height }) => height - low.height > reach && high.height - height > reach);
+  return Math.max(0, ...between.map(({ area }) => area));
 }
 
 function scaled(metresPerUnit: number): JudgedUnit {

@@ -1,5 +1,5 @@
-import { FloorPlanError } from '../../core/errors.ts';
 import type { Unit, Warning } from '../../core/types.ts';
+import { MOST_DEGREES, noPlaneError, utmZone } from '../geographic.ts';
 import { geoKeySystem } from './geo-keys.ts';
 import type { LasHeader } from './las-header.ts';
 import { isCrs, type VariableRecord } from './variable-records.ts';
@@ -67,42 +67,18 @@ function strangePlace(
   const areDegrees =
     isNear(min[0], max[0]) && isNear(min[1], max[1]) && Math.abs(max[0]) <= 360 && Math.abs(max[1]) <= 90;
   const areFromCentre = Math.hypot(...max.map((value, i) => (value + min[i]) / 2)) > NEAR_CENTRE;
-  if (kind === 'geographic' ? areDegrees : areFromCentre) throw noPlan(name, kind, crs, bounds);
+  if (kind === 'geographic' ? areDegrees : areFromCentre) {
+    const zone = kind === 'geographic' ? utmZone((min[0] + max[0]) / 2, (min[1] + max[1]) / 2) : undefined;
+    throw noPlaneError({ name, bounds, found: KIND_WORDS[kind], crs, zone });
+  }
   const message = `The file says that its coordinates are ${KIND_WORDS[kind]}; they lie elsewhere, and the label was passed over.`;
   const hint = 'Save the file with its right coordinate system, if the plan is to carry it.';
   return { heightRatio: 1, warnings: [{ code: 'read/crs-ignored', message, hint }] };
 }
 
-/** No building is larger, degrees: 100 km. Metres of a room are more. */
-const MOST_DEGREES = 1;
+const KIND_WORDS = { geographic: 'degrees', geocentric: 'measured from the centre of the Earth' } as const;
 /** Farther from Earth's centre than this lies its surface, m. */
 const NEAR_CENTRE = 6e6;
-const KIND_WORDS = { geographic: 'degrees', geocentric: 'measured from the centre of the Earth' } as const;
-
-function noPlan(
-  name: string,
-  kind: 'geographic' | 'geocentric',
-  crs: string | undefined,
-  { min, max }: LasHeader['bounds'],
-): FloorPlanError {
-  const centre = [0, 1].map((axis) => (min[axis] + max[axis]) / 2);
-  const target = kind === 'geographic' ? ` (EPSG:${utmCode(centre[0], centre[1])})` : '';
-  const label = crs?.startsWith('EPSG') ? ` (${crs})` : '';
-  return new FloorPlanError(
-    'input/geographic-coordinates',
-    `${name}: expected coordinates in metres or feet, found ${KIND_WORDS[kind]}${label}: x from ${min[0]} to ${max[0]}, y from ${min[1]} to ${max[1]}`,
-    {
-      hint: `Reproject the cloud to a plane system such as its UTM zone${target}, with PDAL, CloudCompare or las2las.`,
-    },
-  );
-}
-
-/** EPSG code of the UTM zone on WGS 84 that a place in degrees lies in. */
-function utmCode(longitude: number, latitude: number): number {
-  const zone = (((Math.floor((longitude + 180) / 6) % 60) + 60) % 60) + 1;
-  return (latitude < 0 ? 32_700 : 32_600) + zone;
-}
-
 function unknownUnit(metres: number): Warning {
   return {
     code: 'read/unit-not-known',

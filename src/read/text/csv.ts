@@ -52,13 +52,14 @@ function noTable({ name }: ByteSource, head: Uint8Array): FloorPlanError {
       hint: 'Export the cloud again.',
     });
   }
-  const shown = rows[0].trim().slice(0, 40);
+  // The header is not to blame where a row that may hold numbers follows it.
+  const shown = (rows.find((row) => /^\W*\d/.test(row)) ?? rows[0]).trim().slice(0, 40);
   return new FloorPlanError(
     'input/malformed',
     `${name}: expected rows of two or more numbers, found "${shown}"`,
     {
       hint: 'A text table has one point a line: x, y and z, or x and y for a slice.',
-      detail: { line: 1, text: shown },
+      detail: { text: shown },
     },
   );
 }

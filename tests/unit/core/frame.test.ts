@@ -268,6 +268,19 @@ describe('unit', () => {
     expect(cloud.reasons.unit).toContain(unit);
   });
 
+  test('two high storeys in metres are not one in feet, though its floor and ceiling show best', () => {
+    // Heights 0, 4.2, 4.6 and 8.7: the outer two are 2.65 m apart in feet. Between them only a part was seen.
+    const storeys = [roomPoints({ height: 4.2 }), roomPoints({ floor: 4.6, height: 4.1, hasTable: false })];
+    const seen = Array.from(concat(...storeys)).filter((_, i, all) => {
+      const [x, z] = [all[i - (i % 3)], all[i - (i % 3) + 2]];
+      return x < 4 || z < 4 || z > 5;
+    });
+    expect(run(makeScan(seen)).cloud.frame.unit).toBe('m');
+    const corners = ASYMMETRIC_L.map((value) => 4 * value);
+    const feet = roomPoints({ corners, height: 8.7, spacing: 0.2 });
+    expect(run(makeScan(feet)).cloud.frame.unit).toBe('ft');
+  });
+
   test('what the file states counts, and what a person gives counts more', () => {
     expect(run(makeScan(ROOM, { unit: 'us-ft' })).cloud.frame.metresPerUnit).toBe(1200 / 3937);
     expect(run(makeScan(ROOM, { unit: 'us-ft' }), { unit: 'cm' }).cloud.frame.metresPerUnit).toBe(0.01);

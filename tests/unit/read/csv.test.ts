@@ -175,6 +175,14 @@ describe('errors', () => {
     },
   );
 
+  it('shows the row that is to blame where no column is a number, not the header', async () => {
+    const rows = '389.002,03;5.819.004,5;1.2.3\n'.repeat(3);
+    await expect(read(`x;y;z\n${rows}`)).rejects.toMatchObject({
+      code: 'input/malformed',
+      message: expect.stringContaining('found "389.002,03;'),
+    });
+  });
+
   it('cuts long text', async () => {
     await expect(read(`1,2,3\n1,${'z'.repeat(500)},3\n`)).rejects.toMatchObject({
       detail: { text: 'z'.repeat(40) },

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { FloorPlanError } from '../../../src/core/errors.ts';
 import { detectFormat, READ_FORMATS } from '../../../src/read/formats.ts';
 import { openScan } from '../../../src/read/open-scan.ts';
 import { bytesOf, memorySource } from './memory-source.ts';
@@ -26,11 +27,28 @@ describe('detection', () => {
     ['scan.txt', bytesOf('%PDF-1.7\n1 0 obj\n'), 'a PDF document'],
     ['scan.csv', bytesOf('<!DOCTYPE html><html>404'), 'an HTML page'],
     ['scan.xyz', Uint8Array.of(1, 2, 3, 0, 200), 'bytes of no known kind'],
+    ['sketch.skp', Uint8Array.of(255, 254, 255, 14, 83, 0, 107, 0), 'a SketchUp model'],
+    ['plan.dxf', bytesOf('  0\nSECTION\n  2\nHEADER\n'), 'a DXF drawing'],
+    ['hall.rcs', Uint8Array.of(1, 2, 3, 0, 200), 'an Autodesk ReCap scan'],
     ['letter', bytesOf('Dear Sir,\nin 2019 there were 3 rooms.\n'), 'text that is no table of points'],
   ])('names what %s looks like', (name, bytes, found) => {
     expect(() => detectFormat(bytes, name)).toThrow(
       expect.objectContaining({ code: 'input/unknown-format', message: expect.stringContaining(found) }),
     );
+  });
+
+  it('says what to do instead, where that is known, else what can be read', () => {
+    const hintOf = (name: string, text: string | Uint8Array) => {
+      try {
+        return detectFormat(typeof text === 'string' ? bytesOf(text) : text, name) && '';
+      } catch (error) {
+        return (error as FloorPlanError).hint;
+      }
+    };
+    expect(hintOf('project.rcp', '<?xml version="1.0"?>')).toMatch(/ReCap as E57 or PTS/);
+    expect(hintOf('a.txt', Uint8Array.of(255, 254, 49, 0))).toMatch(/UTF-8/);
+    expect(hintOf('scan.las', '<!DOCTYPE html>')).toMatch(/download/);
+    expect(hintOf('letter', 'Dear Sir,')).toMatch(/^Read are PLY, .* and Text table\.$/);
   });
 
   it('refuses an empty file', async () => {

@@ -24,6 +24,23 @@ it('reads several files as one scan, whatever their order', async () => {
   expect(merged.facts).toMatchObject({ name: '0.xyz + 2', pointsRead: 1600, bytes: whole.facts.bytes });
 });
 
+it('passes over what is no cloud among several files, and says so; alone it is refused', async () => {
+  const tiles = [grid(0, 700), grid(700, 900)].map((rows, i) => memorySource(rows.join(''), `${i}.xyz`));
+  const others = [memorySource('%PDF-1.7\n', 'plan.pdf'), memorySource('', 'empty.las')];
+  const whole = await readScan(tiles, OPTIONS);
+  const one = await readScan([others[0], ...tiles], OPTIONS);
+  expect(one.positions).toEqual(whole.positions);
+  expect(one.warnings.map(({ message }) => message)).toEqual([
+    'plan.pdf is no point cloud and was passed over.',
+  ]);
+  const two = await readScan([...tiles, ...others], OPTIONS);
+  expect(two.warnings[0].message).toMatch(/^2 files, plan\.pdf among them, are no point clouds/);
+  await expect(readScan(others, OPTIONS)).rejects.toMatchObject({
+    code: 'input/unknown-format',
+    message: expect.stringContaining('a PDF document'),
+  });
+});
+
 it('does not merge a slice with a cloud', async () => {
   const parts = [memorySource('1 2\n2 3\n4 5\n', 'slice.xyz'), memorySource('1 2 3\n2 3 4\n', 'cloud.xyz')];
   await expect(readScan(parts, OPTIONS)).rejects.toMatchObject({

@@ -33,6 +33,24 @@ function ply(points: readonly (readonly number[])[]): Uint8Array {
 }
 
 describe('readScan', () => {
+  it('says that longitudes and latitudes are no plane coordinates, whichever comes first', async () => {
+    const [lon, lat] = [6.8e4, 1.113e5];
+    const degrees = room(3000).map(([x, y, z]) => [13.4 + x / lon, 52.5 + y / lat, 34 + z]);
+    const turned = degrees.map(([x, y, z]) => [y, x, z]);
+    for (const points of [degrees, turned]) {
+      await expect(readScan(memorySource(csv(points), 'a.xyz'), OPTIONS)).rejects.toMatchObject({
+        code: 'input/geographic-coordinates',
+        hint: expect.stringContaining('UTM'),
+      });
+    }
+  });
+
+  it('takes no small room for degrees, though a stray point is far above it', async () => {
+    const points = [...room(3000, 0.1), [0.1, 0.1, 500]];
+    const scan = await readScan(memorySource(csv(points), 'a.xyz'), OPTIONS);
+    expect(scan.facts.pointsRead).toBe(3001);
+  });
+
   it('warns of coordinates that 32-bit floats have rounded, and of no others', async () => {
     const codesOf = async (points: number[][]) => {
       const scan = await readScan(memorySource(ply(points), 'room.ply'), OPTIONS);

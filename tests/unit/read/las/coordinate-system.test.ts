@@ -22,7 +22,9 @@ describe('units and CRS', () => {
     ['UTM without a unit', { 1024: 1, 3072: 32_733 }, { unit: 'm', crs: 'EPSG:32733' }],
     ['a unit alone', { 3076: 9002 }, { unit: 'ft', crs: undefined }],
     ['a system of the user', { 1024: 1, 3072: 32_767, 3076: 9001 }, { unit: 'm', crs: undefined }],
-    ['a code without a unit', { 1024: 1, 3072: 2222 }, { unit: undefined, crs: 'EPSG:2222' }],
+    ['state plane without a unit', { 1024: 1, 3072: 2227 }, { unit: 'us-ft', crs: 'EPSG:2227' }],
+    ['state plane in other feet', { 1024: 1, 3072: 2281 }, { unit: 'ft', crs: 'EPSG:2281' }],
+    ['a code without a unit', { 1024: 1, 3072: 31_467 }, { unit: undefined, crs: 'EPSG:31467' }],
     ['nothing', {}, { unit: undefined, crs: undefined }],
   ])('GeoTIFF keys: %s', async (_, keys, expected) => {
     expect({
