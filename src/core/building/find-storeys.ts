@@ -34,7 +34,7 @@ export interface StoreyHeights {
  * The storeys of a building, lowest first, from a histogram of horizontal area over height.
  *
  * A height bin counts the cells of the plan it has points in, so that floors and ceilings, not walls or dense patches,
- * are its peaks ([Cura]). A floor starts a storey where {@link LEAST_HEIGHT} is clear above it and a ceiling or nothing
+ * are its peaks. A floor starts a storey where {@link LEAST_HEIGHT} is clear above it and a ceiling or nothing
  * is below it. O(n).
  *
  * @param kept indices of the points that are no outliers

@@ -1,5 +1,6 @@
 import { areaOf, combine, grow } from '../geometry/areas.ts';
 import { centroid, perimeter } from '../geometry/rings.ts';
+import { isSimpleRing } from '../geometry/simplicity.ts';
 import { medianOf } from '../robust-scale.ts';
 import { distanceToRing } from '../secondary/structure.ts';
 import type { Gap, Opening, PointCloud, Polygon, Room, SecondaryBoundary, Wall } from '../types.ts';
@@ -158,10 +159,12 @@ function innerWalls(
   for (const leftover of rest) {
     if (areaOf([leftover]) < DEBRIS) continue;
     const near = nearestPiece(leftover, pieces);
-    if (near >= 0) pieces[near] = combine('union', [...pieces[near], leftover]);
+    const whole = near < 0 ? null : plainUnion([...pieces[near], leftover]);
+    if (whole !== null) pieces[near] = [whole];
+    else if (near >= 0) pieces[near] = [...pieces[near], leftover];
   }
   return pieces.flatMap((piece, i) =>
-    piece.map(tidied).map((outline): Wall => {
+    piece.map((outline): Wall => {
       const { face, back, thickness } = pairs[i];
       const hidden = [face, back].every(({ owner }) => unseen[owner].some((gap) => touches(gap, pairs[i])));
       return { outline, thickness, confidence: hidden ? 0.5 : 1 };
@@ -169,8 +172,13 @@ function innerWalls(
   );
 }
 
-function tidied({ outer, holes }: Polygon): Polygon {
-  return { outer: withoutDebris(outer), holes: holes.map(withoutDebris) };
+/** The union of areas where it is one simple ring; null where it is not. */
+function plainUnion(parts: readonly Polygon[]): Polygon | null {
+  const [whole, ...others] = combine('union', parts);
+  if (others.length > 0 || whole.holes.length > 0) return null;
+  const outer = withoutDebris(whole.outer);
+  const isSame = Math.abs(areaOf([whole]) - areaOf([{ outer, holes: [] }])) < DEBRIS;
+  return isSame && isSimpleRing(outer) ? { outer, holes: [] } : null;
 }
 
 function touches({ from, to }: Gap, { face, thickness }: FacePair): boolean {

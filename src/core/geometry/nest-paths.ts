@@ -29,11 +29,11 @@ export function nestPaths(paths: readonly Path64[], toRing: ToRing): Polygon[] {
     else holes.push(ring);
   }
   for (const hole of holes) {
-    const bounds = boundsOf(hole);
+    const [x, y] = placeInside(hole);
     let around: Outer | null = null;
     for (const outer of outers) {
       if (around !== null && outer.area >= around.area) continue;
-      if (contains(outer.bounds, bounds) && liesIn(hole, outer.ring)) around = outer;
+      if (isWithin(outer.bounds, x, y) && pointInRing(x, y, outer.ring) > 0) around = outer;
     }
     around?.holes.push(hole);
   }
@@ -50,20 +50,34 @@ function turnsLeft(path: Path64): boolean {
   return area > 0;
 }
 
-function contains(a: Bounds, b: Bounds): boolean {
-  return a.minX <= b.minX && a.minY <= b.minY && a.maxX >= b.maxX && a.maxY >= b.maxY;
+function isWithin({ minX, minY, maxX, maxY }: Bounds, x: number, y: number): boolean {
+  return x >= minX && x <= maxX && y >= minY && y <= maxY;
 }
 
-/** By the first vertex, or middle of an edge, that is not on the outer ring: rings may touch. */
-function liesIn(inner: Ring, outer: Ring): boolean {
-  for (let i = 0; i < inner.length; i += 2) {
-    const place = pointInRing(inner[i], inner[i + 1], outer);
-    if (place !== 0) return place > 0;
+/**
+ * A place well inside a ring: rounding leaves a hole that touches its rim a hair outside of it, so that vertices tell nothing.
+ *
+ * The middle of the widest stretch at the height between the two vertices that lie farthest apart in height.
+ */
+function placeInside(ring: Ring): readonly [x: number, y: number] {
+  const heights = ring.filter((_, i) => i % 2 === 1).sort();
+  let [y, gap] = [heights[0], 0];
+  for (let k = 1; k < heights.length; k++) {
+    if (heights[k] - heights[k - 1] <= gap) continue;
+    gap = heights[k] - heights[k - 1];
+    y = (heights[k] + heights[k - 1]) / 2;
   }
-  for (let i = 0; i < inner.length; i += 2) {
-    const j = (i + 2) % inner.length;
-    const place = pointInRing((inner[i] + inner[j]) / 2, (inner[i + 1] + inner[j + 1]) / 2, outer);
-    if (place !== 0) return place > 0;
+  const crossings: number[] = [];
+  for (let i = 0, j = ring.length - 2; i < ring.length; j = i, i += 2) {
+    if (ring[i + 1] > y === ring[j + 1] > y) continue;
+    crossings.push(ring[j] + ((y - ring[j + 1]) / (ring[i + 1] - ring[j + 1])) * (ring[i] - ring[j]));
   }
-  return true;
+  crossings.sort((a, b) => a - b);
+  let [x, width] = [ring[0], -1];
+  for (let k = 0; k + 1 < crossings.length; k += 2) {
+    if (crossings[k + 1] - crossings[k] <= width) continue;
+    width = crossings[k + 1] - crossings[k];
+    x = (crossings[k] + crossings[k + 1]) / 2;
+  }
+  return [x, y];
 }
