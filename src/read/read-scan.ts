@@ -8,13 +8,14 @@ import type { Scan, Warning } from '../core/types.ts';
 import type { ByteSource } from './bytes/source.ts';
 import { ClassFilter } from './class-filter.ts';
 import type { OpenCloud, PointChunk } from './cloud-reader.ts';
+import { FARTHEST } from './is-place.ts';
 import { makeScan } from './make-scan.ts';
 import { nextTurn } from './next-turn.ts';
 import { openScan } from './open-scan.ts';
 import { Preview } from './preview.ts';
 import { scanName } from './scan-name.ts';
 import { CELLS_TOLD_APART } from './thin/cell-blocks.ts';
-import { diagonalOf, FARTHEST, powerOfTwoBelow, Thinning } from './thin/thinning.ts';
+import { diagonalOf, powerOfTwoBelow, Thinning } from './thin/thinning.ts';
 
 export type ReadOptions = Pick<
   Options,

@@ -2,19 +2,15 @@ import { FloorPlanError } from '../../core/errors.ts';
 import type { Vec3 } from '../../core/types.ts';
 import type { PointChunk } from '../cloud-reader.ts';
 import { CellBlocks } from './cell-blocks.ts';
-import { pointPriority } from './point-hash.ts';
-import { type AttributeSet, PointRecords, PRIORITY } from './point-records.ts';
+import type { AttributeSet } from './point-records.ts';
+import { type Box, growBox, PointRun, RUN_POINTS } from './point-run.ts';
 import { PointSample } from './point-sample.ts';
 import { copyInOrder, type ThinnedPoints } from './thinned-points.ts';
 
-/** Farther from 0 than this is no place in a building but a mark for "no return": a UTM northing in mm is 10¹⁰. */
-export const FARTHEST = 1e12;
 /** Finest cell tried when a cloud without cells is over its budget, as a share of its extent. */
 const FIRST_SHARE = 2 ** -20;
 /** Cells that order a cloud without cells, as a share of its extent. */
 const ORDER_SHARE = 2 ** -15;
-/** Points looked at together: few enough for the fastest cache. */
-const RUN_POINTS = 512;
 /** Points held, as a share of the budget, before those that lose their cell are left out. */
 const HELD_SHARE = 1.25;
 /** Records laid out for a point that is held: last pages are not full. Memory that is not written to costs nothing. */
@@ -55,8 +51,8 @@ export class Thinning {
   readonly sample = new PointSample();
   readonly #budget: number;
   readonly #expected: number;
-  /** The points at hand, before their block is known. */
-  #run: PointRecords | null = null;
+  readonly #run = new PointRun();
+  #has: AttributeSet | null = null;
   #blocks: CellBlocks | null = null;
 
   constructor({ cell, budget, expected = 0 }: ThinningOptions) {
@@ -74,14 +70,20 @@ export class Thinning {
 
   /** Adds the points of a chunk; attributes are those that the first chunk has. @throws environment/memory */
   add(chunk: PointChunk): void {
-    this.#run ??= new PointRecords(attributesIn(chunk), RUN_POINTS);
+    this.#has ??= attributesIn(chunk);
     const run = this.#run;
+    const { xyz } = chunk;
+    const places = { xyz, stride: 3 };
+    const words = new Int32Array(xyz.buffer, xyz.byteOffset, 2 * xyz.length);
     for (let begin = 0; begin < chunk.count; begin += RUN_POINTS) {
-      const count = this.#takeIn(run, chunk, begin, Math.min(chunk.count, begin + RUN_POINTS));
-      this.#rank(run, count);
-      this.#blocks ??= this.#makeBlocks(run.has);
+      const end = Math.min(chunk.count, begin + RUN_POINTS);
+      run.take(chunk, words, begin, end);
+      this.dropped += end - begin - run.count;
+      growBox(this.bounds, xyz, run);
+      this.#addToSample(xyz, run);
+      this.#blocks ??= this.#makeBlocks(this.#has);
       const blocks = this.#blocks;
-      allocate(() => blocks.append(run, 0, count));
+      allocate(() => blocks.append(places, run, (records) => records.setAttributes(run, chunk)));
       if (blocks.held > this.#budget * HELD_SHARE) this.#settle();
     }
     this.read += chunk.count;
@@ -105,52 +107,12 @@ export class Thinning {
     return allocate(() => copyInOrder(blocks, origin, make));
   }
 
-  /** Copies points that have a place, grows bounds and counts those that have none. Returns how many were copied. */
-  #takeIn(run: PointRecords, chunk: PointChunk, begin: number, end: number): number {
-    const { min, max } = this.bounds;
-    let [minX, minY, minZ] = min;
-    let [maxX, maxY, maxZ] = max;
-    const { xyz } = chunk;
-    const { stride } = run;
-    const into = run.xyz;
-    let to = 0;
-    for (let i = begin; i < end; i++) {
-      // −0 becomes 0: one place, different bits.
-      const x = xyz[3 * i] + 0;
-      const y = xyz[3 * i + 1] + 0;
-      const z = xyz[3 * i + 2] + 0;
-      if (!(Math.abs(x) <= FARTHEST && Math.abs(y) <= FARTHEST && Math.abs(z) <= FARTHEST)) continue;
-      into[to] = x;
-      into[to + 1] = y;
-      into[to + 2] = z;
-      to += stride;
-      if (x < minX) minX = x;
-      if (x > maxX) maxX = x;
-      if (y < minY) minY = y;
-      if (y > maxY) maxY = y;
-      if (z < minZ) minZ = z;
-      if (z > maxZ) maxZ = z;
-    }
-    [min[0], min[1], min[2]] = [minX, minY, minZ];
-    [max[0], max[1], max[2]] = [maxX, maxY, maxZ];
-    const count = to / stride;
-    this.dropped += end - begin - count;
-    if (count === end - begin) run.setAttributes(0, chunk, begin, count);
-    else copyPlacedAttributes(run, chunk, begin, end);
-    return count;
-  }
-
-  /** Notes the priorities of the points at hand, and takes some for the sample. */
-  #rank({ xyz, words, stride }: PointRecords, count: number): void {
+  #addToSample(xyz: Float64Array, { count, points, priorities }: PointRun): void {
     let { limit } = this.sample;
-    for (let i = 0; i < count; i++) {
-      const at = stride * i;
-      const priority = pointPriority(words, 2 * at);
-      words[2 * at + PRIORITY] = priority;
-      if (priority <= limit) {
-        this.sample.add(xyz, at, priority);
-        limit = this.sample.limit;
-      }
+    for (let k = 0; k < count; k++) {
+      if (priorities[k] > limit) continue;
+      this.sample.add(xyz, 3 * points[k], priorities[k]);
+      limit = this.sample.limit;
     }
   }
 
@@ -198,12 +160,6 @@ function attributesIn(chunk: Partial<PointChunk>): AttributeSet {
   };
 }
 
-/** The attributes of those points of a chunk that have a place. */
-function copyPlacedAttributes(run: PointRecords, chunk: PointChunk, begin: number, end: number): void {
-  let to = 0;
-  for (let i = begin; i < end; i++) if (isPlace(chunk.xyz, 3 * i)) run.setAttributes(to++, chunk, i, 1);
-}
-
 /** The largest power of two that is not above `value`. */
 export function powerOfTwoBelow(value: number): number {
   const power = 2 ** Math.floor(Math.log2(value));
@@ -214,19 +170,6 @@ export function powerOfTwoBelow(value: number): number {
 /** Diagonal of a box, source units; 0 where it is empty. */
 export function diagonalOf({ min, max }: Box): number {
   return Math.hypot(...max.map((high, axis) => Math.max(0, high - min[axis])));
-}
-
-/** Corners of a box that grows. */
-interface Box {
-  readonly min: [x: number, y: number, z: number];
-  readonly max: [x: number, y: number, z: number];
-}
-
-/** Whether a point is somewhere, `at` its x; false for NaN too. */
-export function isPlace(xyz: Float64Array, at: number): boolean {
-  return (
-    Math.abs(xyz[at]) <= FARTHEST && Math.abs(xyz[at + 1]) <= FARTHEST && Math.abs(xyz[at + 2]) <= FARTHEST
-  );
 }
 
 function allocate<T>(make: () => T): T {
