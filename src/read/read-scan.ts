@@ -42,6 +42,8 @@ export interface ReadControl {
 
 /** Points after which a cancellation is listened for: some tens of milliseconds of the slowest decoder. */
 const POINTS_A_TURN = 1 << 16;
+/** Points enough to guess a unit from. */
+const POINTS_TRIED = 1 << 13;
 /** Clouds of fewer points are checked for lying on a line here, others when they are oriented. */
 const CHECKED_POINTS = 1 << 16;
 
@@ -89,7 +91,7 @@ export async function readScan(
     if (isRough || isWrongStart(thinning, run.target)) {
       thinning = await readAgain(run, run.target);
     } else if (thinning.cell < run.target) {
-      thinning.coarsen(run.target);
+      for (const _ of thinning.coarsening(run.target)) await listen(control);
     }
   }
   await listen(control);
@@ -143,7 +145,7 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
     const chunk = filter ? filter.apply(read) : read;
     if (chunk.count === 0) continue;
     thinning ??= new Thinning({ cell: cell ?? firstCell(run, chunk), budget: options.pointBudget, expected });
-    thinning.add(chunk);
+    for (const _ of thinning.adding(chunk)) await listen(control);
     preview?.add(chunk);
     unheard += chunk.count;
     if (unheard >= POINTS_A_TURN) {
@@ -203,11 +205,15 @@ function sizeOfAll(sources: readonly ByteSource[]): number | undefined {
   return sum;
 }
 
-/** A guess that only speed depends on: the cell that the unit of the first points asks for. */
+/** A guess that only speed depends on: the cell that the unit of the first points asks for, of which some are looked at. */
 function firstCell(run: ReadRun, chunk: PointChunk): number {
   if (run.cloud.isSlice) return 0;
-  const trial = new Thinning({ cell: 0, budget: chunk.count });
-  trial.add(chunk);
+  const step = Math.max(1, Math.floor(chunk.count / POINTS_TRIED));
+  const count = Math.floor(chunk.count / step);
+  const xyz = new Float64Array(3 * count);
+  for (let i = 0; i < count; i++) xyz.set(chunk.xyz.subarray(3 * i * step, 3 * i * step + 3), 3 * i);
+  const trial = new Thinning({ cell: 0, budget: count });
+  trial.add({ count, xyz });
   return diagonalOf(trial.bounds) > 0 ? targetCell(run, trial) : 0;
 }
 

@@ -61,13 +61,11 @@ export class BlockOrder {
       this.#placed = new Uint32Array(most);
     }
     this.#begins = new Uint32Array(layer.length + 1);
-    const { words, stride } = this.#blocks.records;
     const [listed, codes] = [this.#listed, this.#codes];
     for (let i = 0; i < layer.length; i++) {
       const begin = this.#begins[i];
-      const end = begin + this.#blocks.listKept(layer[i], listed.subarray(begin));
-      for (let at = begin; at < end; at++) codes[at] = words[2 * stride * listed[at] + CODE];
-      this.#begins[i + 1] = end;
+      const kept = this.#blocks.listKept(layer[i], listed.subarray(begin), codes.subarray(begin));
+      this.#begins[i + 1] = begin + kept;
     }
   }
 

@@ -2,7 +2,7 @@ import { BlockLists } from './block-lists.ts';
 import { BlockOrder, type Visit } from './block-order.ts';
 import { BlockTable } from './block-table.ts';
 import { codeOf, SIDE_BITS } from './cell-code.ts';
-import { CellContest } from './cell-contest.ts';
+import { CellContest, copyCodes } from './cell-contest.ts';
 import { type AttributeSet, CODE, type PointRecords, PRIORITY } from './point-records.ts';
 import { PointRun, RUN_POINTS } from './point-run.ts';
 
@@ -10,6 +10,9 @@ import { PointRun, RUN_POINTS } from './point-run.ts';
 const UNSEEN_SHARE = 1;
 /** Points below which it is not worth while: a block that a surface crosses has some thousand cells. */
 const LEAST_UNSEEN = 2048;
+
+/** Points looked at in one step: some tens of milliseconds. */
+const STEP_POINTS = 1 << 18;
 
 /** So many cells apart along an axis, cells are taken for one: their number has 32 bits. */
 export const CELLS_TOLD_APART = 2 ** 32;
@@ -52,6 +55,7 @@ export class CellBlocks {
   /** The records of the block at hand, and those that keep their cell. */
   #listed = new Uint32Array(0);
   #kept = new Uint32Array(0);
+  #codes = new Uint16Array(0);
 
   constructor({ cell, keepsAll, has, capacity }: BlockOptions) {
     this.cell = cell;
@@ -76,13 +80,21 @@ export class CellBlocks {
     this.#due.length = 0;
   }
 
-  /** Leaves out all points that lose their cell. */
-  settle(): void {
-    for (let block = 0; block < this.table.count; block++) this.#settleBlock(block);
+  /** Leaves out all points that lose their cell, step by step. */
+  *settling(): Generator<void> {
+    let looked = 0;
+    for (let block = 0; block < this.table.count; block++) {
+      looked += this.lists.lengthOf(block);
+      this.#settleBlock(block);
+      if (looked < STEP_POINTS) continue;
+      looked = 0;
+      yield;
+    }
   }
 
-  /** Hands the records of all blocks to others. */
-  moveTo(other: CellBlocks): void {
+  /** Hands the records of all blocks to others, step by step. */
+  *moving(other: CellBlocks): Generator<void> {
+    let moved = 0;
     const { records } = this;
     const { words, stride } = records;
     const run = new PointRun();
@@ -94,6 +106,10 @@ export class CellBlocks {
         for (let k = 0; k < run.count; k++) run.priorities[k] = words[2 * stride * run.points[k] + PRIORITY];
         other.append(records, run, (others) => others.copyAttributes(records, run));
       }
+      moved += listed.length;
+      if (moved < STEP_POINTS) continue;
+      moved = 0;
+      yield;
     }
   }
 
@@ -102,12 +118,14 @@ export class CellBlocks {
     new BlockOrder(this).visit(visit);
   }
 
-  /** Writes the records of a block that keep their cell to the front of `into`. Returns how many they are. */
-  listKept(block: number, into: Uint32Array): number {
+  /** Writes the records of a block that keep their cell, and these cells, to the front of arrays. Returns how many they are. */
+  listKept(block: number, into: Uint32Array, codes: Uint16Array): number {
     const length = this.lists.lengthOf(block);
     this.lists.copyTo(into, block);
-    if (this.lists.settled[block] === length) return length;
-    return this.#contest.decide(this.records, into.subarray(0, length));
+    const listed = into.subarray(0, length);
+    if (this.lists.settled[block] !== length) return this.#contest.decide(this.records, listed, codes);
+    copyCodes(this.records, listed, codes);
+    return length;
   }
 
   #appendPlaces({ xyz, stride }: Places, { count, points, priorities, records }: PointRun): void {
@@ -174,6 +192,7 @@ export class CellBlocks {
     if (this.#listed.length < length) {
       this.#listed = new Uint32Array(2 * length);
       this.#kept = new Uint32Array(2 * length);
+      this.#codes = new Uint16Array(2 * length);
     }
     this.lists.copyTo(this.#listed, block);
     return this.#listed.subarray(0, length);
@@ -184,7 +203,7 @@ export class CellBlocks {
     if (this.lists.settled[block] === listed.length) return;
     const kept = this.#kept.subarray(0, listed.length);
     kept.set(listed);
-    const count = this.#contest.decide(this.records, kept);
+    const count = this.#contest.decide(this.records, kept, this.#codes);
     // In the order of the list, so that nothing is written over that is still to be moved.
     for (let i = 0; i < count; i++) if (kept[i] !== listed[i]) this.records.move(kept[i], listed[i]);
     this.held -= listed.length - count;

@@ -12,13 +12,20 @@ export class CellContest {
     this.#keepsAll = keepsAll;
   }
 
-  /** Leaves those that keep their cell at the front of a list, in their order. Returns how many they are. */
-  decide(records: PointRecords, listed: Uint32Array): number {
-    return this.#keepsAll ? this.#leaveOutDoubles(records, listed) : this.#leaveOutLosers(records, listed);
+  /**
+   * Leaves those that keep their cell at the front of a list, in their order. Returns how many they are.
+   *
+   * @param codes filled with their cells
+   */
+  decide(records: PointRecords, listed: Uint32Array, codes: Uint16Array): number {
+    if (!this.#keepsAll) return this.#leaveOutLosers(records, listed, codes);
+    const count = this.#leaveOutDoubles(records, listed);
+    copyCodes(records, listed.subarray(0, count), codes);
+    return count;
   }
 
   /** The lowest priority keeps a cell. */
-  #leaveOutLosers(records: PointRecords, listed: Uint32Array): number {
+  #leaveOutLosers(records: PointRecords, listed: Uint32Array, codes: Uint16Array): number {
     const { words, stride } = records;
     const step = 2 * stride;
     const cells = this.#cells;
@@ -26,6 +33,7 @@ export class CellContest {
     for (let i = 0; i < listed.length; i++) {
       const record = listed[i];
       const code = words[step * record + CODE];
+      codes[i] = code;
       const rival = cells[code] - 1;
       if (rival >= 0) {
         lost++;
@@ -35,16 +43,16 @@ export class CellContest {
       cells[code] = record + 1;
     }
     if (lost === 0) {
-      for (let i = 0; i < listed.length; i++) cells[words[step * listed[i] + CODE]] = 0;
+      for (let i = 0; i < listed.length; i++) cells[codes[i]] = 0;
       return listed.length;
     }
     let count = 0;
     for (let i = 0; i < listed.length; i++) {
-      const record = listed[i];
-      const code = words[step * record + CODE];
-      if (cells[code] !== record + 1) continue;
+      const code = codes[i];
+      if (cells[code] !== listed[i] + 1) continue;
       cells[code] = 0;
-      listed[count++] = record;
+      codes[count] = code;
+      listed[count++] = listed[i];
     }
     return count;
   }
@@ -76,4 +84,9 @@ export class CellContest {
     if (length > this.#cells.length) this.#cells = new Int32Array(length);
     return this.#cells.subarray(0, length);
   }
+}
+
+/** The cells of records. */
+export function copyCodes({ words, stride }: PointRecords, listed: Uint32Array, into: Uint16Array): void {
+  for (let i = 0; i < listed.length; i++) into[i] = words[2 * stride * listed[i] + CODE];
 }

@@ -87,9 +87,12 @@ export class PointRecords {
 
   /** Copies a record over another. */
   move(from: number, to: number): void {
-    const { words } = this;
-    const step = 2 * this.stride;
-    for (let word = 0; word < step; word++) words[step * to + word] = words[step * from + word];
+    const { xyz, words, stride } = this;
+    xyz[stride * to] = xyz[stride * from];
+    xyz[stride * to + 1] = xyz[stride * from + 1];
+    xyz[stride * to + 2] = xyz[stride * from + 2];
+    for (let word = PRIORITY; word < 2 * stride; word++)
+      words[2 * stride * to + word] = words[2 * stride * from + word];
   }
 
   /** Whether record a comes before b of the same priority: the first coordinate, then attribute, that differs is smaller. */

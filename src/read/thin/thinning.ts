@@ -64,12 +64,17 @@ export class Thinning {
 
   /** Points kept. */
   get count(): number {
-    this.#settle();
+    atOnce(this.#settle());
     return this.#blocks?.held ?? 0;
   }
 
-  /** Adds the points of a chunk; attributes are those that the first chunk has. @throws environment/memory */
+  /** Adds the points of a chunk at once; see {@link adding}. */
   add(chunk: PointChunk): void {
+    atOnce(this.adding(chunk));
+  }
+
+  /** Adds the points of a chunk, step by step where many must be looked through; attributes are those that the first chunk has. @throws environment/memory */
+  *adding(chunk: PointChunk): Generator<void> {
     this.#has ??= attributesIn(chunk);
     const run = this.#run;
     const { xyz } = chunk;
@@ -84,15 +89,20 @@ export class Thinning {
       this.#blocks ??= this.#makeBlocks(this.#has);
       const blocks = this.#blocks;
       allocate(() => blocks.append(places, run, (records) => records.setAttributes(run, chunk)));
-      if (blocks.held > this.#budget * HELD_SHARE) this.#settle();
+      if (blocks.held > this.#budget * HELD_SHARE) yield* this.#settle();
     }
     this.read += chunk.count;
   }
 
   /** Thins what is kept to coarser cells: the very points that these cells would have kept from the start. */
   coarsen(cell: number): void {
+    atOnce(this.coarsening(cell));
+  }
+
+  /** The same, step by step. */
+  *coarsening(cell: number): Generator<void> {
     this.cell = cell;
-    this.#rebuild();
+    yield* this.#rebuild();
   }
 
   /** Copies out the points kept, relative to `origin`. */
@@ -100,9 +110,9 @@ export class Thinning {
     origin: Vec3,
     make: (length: number) => T,
   ): ThinnedPoints<T> {
-    if (this.#blocks && this.#blocks.held > this.#budget) this.#settle();
+    if (this.#blocks && this.#blocks.held > this.#budget) atOnce(this.#settle());
     // The first points gave a cloud without cells its lattice.
-    if (this.cell === 0 && this.#blocks && this.#blocks.cell !== this.#lattice()) this.#rebuild();
+    if (this.cell === 0 && this.#blocks && this.#blocks.cell !== this.#lattice()) atOnce(this.#rebuild());
     const blocks = this.#blocks ?? this.#makeBlocks(attributesIn({}));
     return allocate(() => copyInOrder(blocks, origin, make));
   }
@@ -117,13 +127,15 @@ export class Thinning {
   }
 
   /** Leaves out the points that lose their cell, and coarsens while too many are left. */
-  #settle(): void {
+  *#settle(): Generator<void> {
     const blocks = this.#blocks;
     if (!blocks) return;
-    blocks.settle();
+    yield* blocks.settling();
     while (this.#blocks && this.#blocks.held > this.#budget) {
       this.isOverBudget = true;
-      this.coarsen(this.cell > 0 ? 2 * this.cell : powerOfTwoBelow(FIRST_SHARE * diagonalOf(this.bounds)));
+      yield* this.coarsening(
+        this.cell > 0 ? 2 * this.cell : powerOfTwoBelow(FIRST_SHARE * diagonalOf(this.bounds)),
+      );
     }
   }
 
@@ -140,13 +152,13 @@ export class Thinning {
     return powerOfTwoBelow(ORDER_SHARE * diagonalOf(this.bounds)) || 1;
   }
 
-  #rebuild(): void {
+  *#rebuild(): Generator<void> {
     const old = this.#blocks;
     if (!old) return;
     this.#blocks = this.#makeBlocks(old.records.has);
     const blocks = this.#blocks;
-    allocate(() => old.moveTo(blocks));
-    blocks.settle();
+    for (const steps = old.moving(blocks); !allocate(() => steps.next()).done; ) yield;
+    yield* blocks.settling();
   }
 }
 
@@ -170,6 +182,10 @@ export function powerOfTwoBelow(value: number): number {
 /** Diagonal of a box, source units; 0 where it is empty. */
 export function diagonalOf({ min, max }: Box): number {
   return Math.hypot(...max.map((high, axis) => Math.max(0, high - min[axis])));
+}
+
+function atOnce(steps: Iterable<void>): void {
+  for (const _ of steps);
 }
 
 function allocate<T>(make: () => T): T {
