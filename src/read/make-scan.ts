@@ -19,14 +19,14 @@ export interface ScanFacts {
   readonly warnings: readonly Warning[];
 }
 
-/** The points that thinning kept, in an order that does not depend on the file's. Complexity: O(n). */
-export function makeScan(
+/** The points that thinning kept, in an order that does not depend on the file's; step by step. Complexity: O(n). */
+export function* makeScan(
   thinning: Thinning,
   { name, format, bytes, cloud, target, warnings }: ScanFacts,
-): Scan {
+): Generator<void, Scan> {
   const { bounds } = thinning;
   const origin = thinning.sample.middle();
-  const points = thinning.inOrder(origin, (length) => new Float32Array(length));
+  const points = yield* thinning.ordering(origin, (length) => new Float32Array(length));
   const { count } = points;
   return {
     facts: {

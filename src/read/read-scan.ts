@@ -91,19 +91,13 @@ export async function readScan(
     if (isRough || isWrongStart(thinning, run.target)) {
       thinning = await readAgain(run, run.target);
     } else if (thinning.cell < run.target) {
-      for (const _ of thinning.coarsening(run.target)) await listen(control);
+      await listening(thinning.coarsening(run.target), control);
     }
   }
   await listen(control);
   const bytes = sizeOfAll(sources) ?? run.bytesRead;
-  const scan = makeScan(thinning, {
-    name: run.name,
-    format,
-    bytes,
-    cloud,
-    target: run.target,
-    warnings: run.warnings,
-  });
+  const { name, target, warnings } = run;
+  const scan = await listening(makeScan(thinning, { name, format, bytes, cloud, target, warnings }), control);
   assertEnough(scan);
   if (scan.facts.pointsKept <= CHECKED_POINTS) checkSpread(scan.positions);
   return scan;
@@ -145,7 +139,7 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
     const chunk = filter ? filter.apply(read) : read;
     if (chunk.count === 0) continue;
     thinning ??= new Thinning({ cell: cell ?? firstCell(run, chunk), budget: options.pointBudget, expected });
-    for (const _ of thinning.adding(chunk)) await listen(control);
+    await listening(thinning.adding(chunk), control);
     preview?.add(chunk);
     unheard += chunk.count;
     if (unheard >= POINTS_A_TURN) {
@@ -190,6 +184,16 @@ function report(run: ReadRun, points: number): void {
 async function listen(control: ReadControl): Promise<void> {
   if (control.signal) await nextTurn();
   throwIfCancelled(control);
+}
+
+/** Takes steps to their end and hears a cancellation between them. @throws cancelled */
+async function listening<T>(steps: Generator<void, T>, control: ReadControl): Promise<T> {
+  let step = steps.next();
+  while (!step.done) {
+    await listen(control);
+    step = steps.next();
+  }
+  return step.value;
 }
 
 function throwIfCancelled({ signal }: ReadControl): void {

@@ -48,20 +48,20 @@ export class ByteCursor {
     return !isEnd;
   }
 
-  /** As {@link fill} but for what lies in two pieces copies no more than that: then the window holds just `length` bytes. */
+  /** As {@link fill}, without copying whole pieces: what lies in two becomes a window of just `length` bytes. */
   async fillNarrowly(length: number): Promise<boolean> {
     const left = this.available;
-    const piece = left < length ? await this.#next() : null;
-    if (piece === null || left === 0 || left + piece.length < length) {
-      if (piece) this.bytes = joinBytes([this.bytes.subarray(this.position), piece], left + piece.length);
-      if (piece) this.position = 0;
-      return this.fill(length);
-    }
-    const needed = length - left;
-    this.bytes = joinBytes([this.bytes.subarray(this.position), piece.subarray(0, needed)], length);
+    if (left >= length) return true;
+    const piece = await this.#next();
+    if (!piece) return false;
+    const needed = left === 0 ? piece.length : Math.min(length - left, piece.length);
+    this.bytes =
+      left === 0
+        ? piece
+        : joinBytes([this.bytes.subarray(this.position), piece.subarray(0, needed)], left + needed);
     this.position = 0;
-    this.#rest = piece.subarray(needed);
-    return true;
+    if (needed < piece.length) this.#rest = piece.subarray(needed);
+    return this.fill(length);
   }
 
   /** Moves on by `length` bytes; false where the stream ends before. */

@@ -28,12 +28,13 @@ export class BlockOrder {
     this.#blocks = blocks;
   }
 
-  /** Shows the points kept block by block. The arrays are used again. */
-  visit(visit: Visit): void {
+  /** Shows the points kept block by block, a layer a step. The arrays are used again. */
+  *visit(visit: Visit): Generator<void> {
     let place = 0;
     for (const layer of this.#runsOf(this.#blocks.table.inOrder(), 2)) {
       this.#list(layer);
       place = this.#visitLayer(layer, place, visit);
+      yield;
     }
   }
 

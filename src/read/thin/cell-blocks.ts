@@ -114,8 +114,8 @@ export class CellBlocks {
   }
 
   /** Shows the points kept, and their places in an order that forgets the one they came in; see {@link BlockOrder}. */
-  visitInOrder(visit: Visit): void {
-    new BlockOrder(this).visit(visit);
+  visitInOrder(visit: Visit): Generator<void> {
+    return new BlockOrder(this).visit(visit);
   }
 
   /** Writes the records of a block that keep their cell, and these cells, to the front of arrays. Returns how many they are. */

@@ -110,11 +110,19 @@ export class Thinning {
     origin: Vec3,
     make: (length: number) => T,
   ): ThinnedPoints<T> {
-    if (this.#blocks && this.#blocks.held > this.#budget) atOnce(this.#settle());
+    return atOnce(this.ordering(origin, make));
+  }
+
+  /** The same, step by step. */
+  *ordering<T extends Float32Array | Float64Array>(
+    origin: Vec3,
+    make: (length: number) => T,
+  ): Generator<void, ThinnedPoints<T>> {
+    if (this.#blocks && this.#blocks.held > this.#budget) yield* this.#settle();
     // The first points gave a cloud without cells its lattice.
-    if (this.cell === 0 && this.#blocks && this.#blocks.cell !== this.#lattice()) atOnce(this.#rebuild());
+    if (this.cell === 0 && this.#blocks && this.#blocks.cell !== this.#lattice()) yield* this.#rebuild();
     const blocks = this.#blocks ?? this.#makeBlocks(attributesIn({}));
-    return allocate(() => copyInOrder(blocks, origin, make));
+    return yield* allocating(copyInOrder(blocks, origin, make));
   }
 
   #addToSample(xyz: Float64Array, { count, points, priorities }: PointRun): void {
@@ -157,7 +165,7 @@ export class Thinning {
     if (!old) return;
     this.#blocks = this.#makeBlocks(old.records.has);
     const blocks = this.#blocks;
-    for (const steps = old.moving(blocks); !allocate(() => steps.next()).done; ) yield;
+    yield* allocating(old.moving(blocks));
     yield* blocks.settling();
   }
 }
@@ -184,8 +192,19 @@ export function diagonalOf({ min, max }: Box): number {
   return Math.hypot(...max.map((high, axis) => Math.max(0, high - min[axis])));
 }
 
-function atOnce(steps: Iterable<void>): void {
-  for (const _ of steps);
+function atOnce<T>(steps: Generator<void, T>): T {
+  let step = steps.next();
+  while (!step.done) step = steps.next();
+  return step.value;
+}
+
+function* allocating<T>(steps: Generator<void, T>): Generator<void, T> {
+  let step = allocate(() => steps.next());
+  while (!step.done) {
+    yield;
+    step = allocate(() => steps.next());
+  }
+  return step.value;
 }
 
 function allocate<T>(make: () => T): T {
