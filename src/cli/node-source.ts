@@ -44,7 +44,8 @@ async function* readAll(path: string): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   const handle = await openHandle(path);
   try {
     while (true) {
-      const piece = new Uint8Array(PIECE_BYTES);
+      // Not wiped: what is not read is cut off.
+      const piece = new Uint8Array(Buffer.allocUnsafeSlow(PIECE_BYTES).buffer);
       const { bytesRead } = await handle.read(piece, 0, PIECE_BYTES, null).catch((cause) => {
         throw unreadable(path, cause);
       });

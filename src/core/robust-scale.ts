@@ -2,8 +2,9 @@ const SAMPLES = 50_000;
 /** Shares of the points that may be astray on either side without moving a trimmed bound. */
 const TRIM = 0.02;
 
-/** Of a float32: sign, exponent and some digits. */
+/** Of a float32: sign, exponent and some digits; as many follow. */
 const LEADING_BITS = 16;
+const FOLLOWING = 0xffff;
 
 /** Turns a median absolute deviation into a standard deviation, for a normal distribution. */
 export const DEVIATION_BY_MEDIAN = 1.4826;
@@ -47,22 +48,35 @@ export function trimmedBounds(positions: Float32Array): Bounds {
 /**
  * The value that sorting would bring to place `rank`; NaN where there is none.
  *
- * Values are counted by their leading bits, and only those that share them with the one looked for are sorted. O(n) for
- * values that are spread.
+ * Values are counted by their leading bits, and those that share them with the one looked for by the bits that follow. O(n).
  */
 export function valueOfRank(values: Float32Array, rank: number): number {
   const bits = new Int32Array(values.buffer, values.byteOffset, values.length);
   const counts = new Uint32Array(1 << LEADING_BITS);
-  for (let i = 0; i < bits.length; i++) counts[leadingBits(bits[i])]++;
-  let leading = 0;
-  let before = 0;
-  while (leading < counts.length && before + counts[leading] <= rank) before += counts[leading++];
-  return values.filter((_, i) => leadingBits(bits[i]) === leading).sort()[rank - before] ?? Number.NaN;
+  for (let i = 0; i < bits.length; i++) counts[risingBits(bits[i]) >>> LEADING_BITS]++;
+  const leading = placeOfRank(counts, rank);
+  if (leading.place === counts.length) return Number.NaN;
+  counts.fill(0);
+  for (let i = 0; i < bits.length; i++) {
+    const rising = risingBits(bits[i]);
+    if (rising >>> LEADING_BITS === leading.place) counts[rising & FOLLOWING]++;
+  }
+  const following = placeOfRank(counts, rank - leading.before);
+  const rising = (leading.place << LEADING_BITS) | following.place;
+  return new Float32Array(Int32Array.of(rising < 0 ? rising ^ 0x80000000 : ~rising).buffer)[0];
 }
 
-/** Leading bits of a float32, so turned that they rise with the value: below zero larger bits are smaller values. */
-function leadingBits(bits: number): number {
-  return (bits < 0 ? ~bits : bits ^ 0x80000000) >>> (32 - LEADING_BITS);
+/** Bits of a float32, so turned that they rise with the value: below zero larger bits are smaller values. */
+function risingBits(bits: number): number {
+  return bits < 0 ? ~bits : bits ^ 0x80000000;
+}
+
+/** The place among counted ones that holds the one of a rank, and how many come before it. */
+function placeOfRank(counts: Uint32Array, rank: number): { place: number; before: number } {
+  let place = 0;
+  let before = 0;
+  while (place < counts.length && before + counts[place] <= rank) before += counts[place++];
+  return { place, before };
 }
 
 /** Longest side. */

@@ -1,8 +1,9 @@
 import { countOf } from '../core/count-words.ts';
 import type { PointAttributes, Scan, Vec3, Warning } from '../core/types.ts';
 import type { OpenCloud } from './cloud-reader.ts';
+import { FARTHEST } from './is-place.ts';
 import type { ThinnedPoints } from './thin/thinned-points.ts';
-import { FARTHEST, powerOfTwoBelow, type Thinning } from './thin/thinning.ts';
+import { powerOfTwoBelow, type Thinning } from './thin/thinning.ts';
 
 /** Step between 32-bit floats, as a share of the power of two below them. */
 const FLOAT_STEP = 2 ** -23;
@@ -18,14 +19,14 @@ export interface ScanFacts {
   readonly warnings: readonly Warning[];
 }
 
-/** The points that thinning kept, in an order that does not depend on the file's. Complexity: O(n). */
-export function makeScan(
+/** The points that thinning kept, in an order that does not depend on the file's; step by step. Complexity: O(n). */
+export function* makeScan(
   thinning: Thinning,
   { name, format, bytes, cloud, target, warnings }: ScanFacts,
-): Scan {
+): Generator<void, Scan> {
   const { bounds } = thinning;
   const origin = thinning.sample.middle();
-  const points = thinning.inOrder(origin, (length) => new Float32Array(length));
+  const points = yield* thinning.ordering(origin, (length) => new Float32Array(length));
   const { count } = points;
   return {
     facts: {
@@ -49,7 +50,7 @@ export function makeScan(
     warnings: [
       ...cloud.warnings,
       ...warnings,
-      ...warningsOf(thinning, cloud, target),
+      ...warningsOf(thinning, cloud, { count, target }),
       ...coarseFloats(points, origin, target),
     ],
   };
@@ -64,7 +65,11 @@ function withoutBlanks({ colour, intensity, ...others }: PointAttributes): Point
   };
 }
 
-function warningsOf({ dropped, read, cell, count }: Thinning, cloud: OpenCloud, target: number): Warning[] {
+function warningsOf(
+  { dropped, read, cell }: Thinning,
+  cloud: OpenCloud,
+  { count, target }: { count: number; target: number },
+): Warning[] {
   const warnings: Warning[] = [];
   if (dropped > 0 && !cloud.hasEmptyPlaces) {
     warnings.push({

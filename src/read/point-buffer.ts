@@ -13,12 +13,12 @@ export const BLUE = 5;
 export const INTENSITY = 6;
 export const CLASSIFICATION = 7;
 
-/** What full colour is in the source; `auto` looks at the first points. */
-export type ColourRange = 'unit' | 'byte' | 'short' | 'auto';
+/** What full colour is in the source: `uint8` where every value is a byte already; `auto` looks at the first points. */
+export type ColourRange = 'unit' | 'uint8' | 'byte' | 'short' | 'auto';
 
 /** Where the values of one field go: the value of point i is `into[first + step · i]`. */
 export interface FieldColumn {
-  readonly into: Float64Array;
+  readonly into: Float64Array | Uint8Array;
   readonly first: number;
   readonly step: number;
 }
@@ -27,7 +27,7 @@ export interface FieldColumn {
 export class PointBuffer {
   count = 0;
   readonly xyz = new Float64Array(3 * CHUNK_POINTS);
-  readonly #values: Float64Array[] = [];
+  readonly #values: (Float64Array | Uint8Array)[] = [];
   readonly #colour: Uint8Array | undefined;
   readonly #intensity: Float32Array | undefined;
   readonly #classification: Uint8Array | undefined;
@@ -42,7 +42,8 @@ export class PointBuffer {
     if (hasColour) this.#colour = new Uint8Array(3 * CHUNK_POINTS);
     if (has(INTENSITY)) this.#intensity = new Float32Array(CHUNK_POINTS);
     if (has(CLASSIFICATION)) this.#classification = new Uint8Array(CHUNK_POINTS);
-    if (hasColour) this.#values[RED] = new Float64Array(3 * CHUNK_POINTS);
+    if (this.#colour)
+      this.#values[RED] = range === 'uint8' ? this.#colour : new Float64Array(3 * CHUNK_POINTS);
     if (has(INTENSITY)) this.#values[INTENSITY] = new Float64Array(CHUNK_POINTS);
     if (has(CLASSIFICATION)) this.#values[CLASSIFICATION] = new Float64Array(CHUNK_POINTS);
   }
@@ -96,7 +97,7 @@ export class PointBuffer {
   take(): PointChunk {
     const count = this.count;
     this.count = 0;
-    if (this.#colour) this.#convertColour(this.#colour, 3 * count);
+    if (this.#colour && this.#range !== 'uint8') this.#convertColour(this.#colour, 3 * count);
     this.#intensity?.set(this.#values[INTENSITY].subarray(0, count));
     if (this.#classification) copyBytes(this.#values[CLASSIFICATION], this.#classification, count);
     return {
@@ -115,7 +116,7 @@ export class PointBuffer {
     const scale = this.#colourScale ?? 0;
     for (let i = 0; i < length; i++) {
       const value = values[i] * scale + 0.5;
-      colour[i] = Math.min(255, Math.max(0, value));
+      colour[i] = value > 255 ? 255 : value > 0 ? value : 0;
     }
   }
 }
@@ -126,7 +127,7 @@ export function bufferFor(fields: readonly { readonly field: number }[], range?:
 }
 
 /** Factor to 0 … 255. Floats go to 1 or, in some files, to 255: the largest of the first chunk that is not black tells. */
-function colourScale(values: Float64Array, length: number, range: ColourRange): number | undefined {
+function colourScale(values: ArrayLike<number>, length: number, range: ColourRange): number | undefined {
   if (range === 'byte') return 1;
   if (range === 'short') return 255 / 65535;
   let largest = 0;
@@ -140,6 +141,6 @@ function colourScale(values: Float64Array, length: number, range: ColourRange): 
   return largest <= 1 && hasFraction ? 255 : 1;
 }
 
-function copyBytes(from: Float64Array, to: Uint8Array, count: number): void {
+function copyBytes(from: ArrayLike<number>, to: Uint8Array, count: number): void {
   for (let i = 0; i < count; i++) to[i] = from[i];
 }

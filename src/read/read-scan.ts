@@ -9,13 +9,14 @@ import type { ByteSource } from './bytes/source.ts';
 import { ClassFilter } from './class-filter.ts';
 import type { OpenCloud, PointChunk } from './cloud-reader.ts';
 import { assertPlane } from './geographic.ts';
+import { FARTHEST } from './is-place.ts';
 import { makeScan } from './make-scan.ts';
 import { nextTurn } from './next-turn.ts';
 import { openScan } from './open-scan.ts';
 import { Preview } from './preview.ts';
 import { scanName } from './scan-name.ts';
 import { CELLS_TOLD_APART } from './thin/cell-blocks.ts';
-import { diagonalOf, FARTHEST, powerOfTwoBelow, Thinning } from './thin/thinning.ts';
+import { diagonalOf, powerOfTwoBelow, Thinning } from './thin/thinning.ts';
 
 export type ReadOptions = Pick<
   Options,
@@ -42,6 +43,8 @@ export interface ReadControl {
 
 /** Points after which a cancellation is listened for: some tens of milliseconds of the slowest decoder. */
 const POINTS_A_TURN = 1 << 16;
+/** Points enough to guess a unit from. */
+const POINTS_TRIED = 1 << 13;
 /** Clouds of fewer points are checked for lying on a line here, others when they are oriented. */
 const CHECKED_POINTS = 1 << 16;
 
@@ -89,19 +92,13 @@ export async function readScan(
     if (isRough || isWrongStart(thinning, run.target)) {
       thinning = await readAgain(run, run.target);
     } else if (thinning.cell < run.target) {
-      thinning.coarsen(run.target);
+      await listening(thinning.coarsening(run.target), control);
     }
   }
   await listen(control);
   const bytes = sizeOfAll(sources) ?? run.bytesRead;
-  const scan = makeScan(thinning, {
-    name: run.name,
-    format,
-    bytes,
-    cloud,
-    target: run.target,
-    warnings: run.warnings,
-  });
+  const { name, target, warnings } = run;
+  const scan = await listening(makeScan(thinning, { name, format, bytes, cloud, target, warnings }), control);
   assertPlane(scan, options);
   assertEnough(scan);
   if (scan.facts.pointsKept <= CHECKED_POINTS) checkSpread(scan.positions);
@@ -144,7 +141,7 @@ async function readOnce(run: ReadRun, cell?: number): Promise<Thinning> {
     const chunk = filter ? filter.apply(read) : read;
     if (chunk.count === 0) continue;
     thinning ??= new Thinning({ cell: cell ?? firstCell(run, chunk), budget: options.pointBudget, expected });
-    thinning.add(chunk);
+    await listening(thinning.adding(chunk), control);
     preview?.add(chunk);
     unheard += chunk.count;
     if (unheard >= POINTS_A_TURN) {
@@ -191,6 +188,16 @@ async function listen(control: ReadControl): Promise<void> {
   throwIfCancelled(control);
 }
 
+/** Takes steps to their end and hears a cancellation between them. @throws cancelled */
+async function listening<T>(steps: Generator<void, T>, control: ReadControl): Promise<T> {
+  let step = steps.next();
+  while (!step.done) {
+    await listen(control);
+    step = steps.next();
+  }
+  return step.value;
+}
+
 function throwIfCancelled({ signal }: ReadControl): void {
   if (signal?.aborted) throw new FloorPlanError('cancelled', 'Reading was cancelled.');
 }
@@ -204,11 +211,15 @@ function sizeOfAll(sources: readonly ByteSource[]): number | undefined {
   return sum;
 }
 
-/** A guess that only speed depends on: the cell that the unit of the first points asks for. */
+/** A guess that only speed depends on: the cell that the unit of the first points asks for, of which some are looked at. */
 function firstCell(run: ReadRun, chunk: PointChunk): number {
   if (run.cloud.isSlice) return 0;
-  const trial = new Thinning({ cell: 0, budget: chunk.count });
-  trial.add(chunk);
+  const step = Math.max(1, Math.floor(chunk.count / POINTS_TRIED));
+  const count = Math.floor(chunk.count / step);
+  const xyz = new Float64Array(3 * count);
+  for (let i = 0; i < count; i++) xyz.set(chunk.xyz.subarray(3 * i * step, 3 * i * step + 3), 3 * i);
+  const trial = new Thinning({ cell: 0, budget: count });
+  trial.add({ count, xyz });
   return diagonalOf(trial.bounds) > 0 ? targetCell(run, trial) : 0;
 }
 

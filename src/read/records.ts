@@ -59,7 +59,7 @@ export async function* readRecords(stream: RecordStream): AsyncGenerator<PointCh
   const { stride } = layout;
   let left = stream.count;
   while (left > 0) {
-    if (cursor.available < stride && !(await cursor.fill(stride))) {
+    if (cursor.available < stride && !(await cursor.fillNarrowly(stride))) {
       stream.endEarly(stream.count - left);
       if (buffer.count > 0) yield buffer.take();
       return;
@@ -102,7 +102,12 @@ function decodeRun(
   for (const { field, type, offset, scale = 1, shift = 0, mask, stride: own = stride } of fields) {
     const column = buffer.column(field);
     if (!column) continue;
-    decodeColumn({ view, type, offset: begin + offset, stride: own, isLittleEndian }, column, count);
+    const raw = { view, type, offset: begin + offset, stride: own, isLittleEndian };
+    if (type === 'int32' && mask === undefined) {
+      decodeScaled(raw, column, count, scale, shift);
+      continue;
+    }
+    decodeColumn(raw, column, count);
     if (mask !== undefined) maskColumn(column, count, mask);
     if (scale !== 1 || shift !== 0) scaleColumn(column, count, scale, shift);
   }
@@ -125,8 +130,6 @@ function decodeColumn(from: RawColumn, { into, first, step }: FieldColumn, count
     for (let to = first; to < end; to += step, at += stride) into[to] = view.getFloat32(at, isLittleEndian);
   } else if (type === 'float64') {
     for (let to = first; to < end; to += step, at += stride) into[to] = view.getFloat64(at, isLittleEndian);
-  } else if (type === 'int32') {
-    for (let to = first; to < end; to += step, at += stride) into[to] = view.getInt32(at, isLittleEndian);
   } else if (type === 'uint16') {
     for (let to = first; to < end; to += step, at += stride) into[to] = view.getUint16(at, isLittleEndian);
   } else if (type === 'uint8') {
@@ -135,6 +138,19 @@ function decodeColumn(from: RawColumn, { into, first, step }: FieldColumn, count
     const read = NUMBER_READERS[type];
     for (let to = first; to < end; to += step, at += stride) into[to] = read(view, at, isLittleEndian);
   }
+}
+
+/** The coordinates of LAS, in one go. */
+function decodeScaled(
+  { view, stride, isLittleEndian, offset }: RawColumn,
+  { into, first, step }: FieldColumn,
+  count: number,
+  scale: number,
+  shift: number,
+): void {
+  const end = first + step * count;
+  for (let to = first, at = offset; to < end; to += step, at += stride)
+    into[to] = view.getInt32(at, isLittleEndian) * scale + shift;
 }
 
 function scaleColumn({ into, first, step }: FieldColumn, count: number, scale: number, shift: number): void {

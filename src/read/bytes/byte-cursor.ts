@@ -8,6 +8,10 @@ export class ByteCursor {
   bytes = new Uint8Array(0);
   position = 0;
   readonly #pieces: AsyncIterator<Uint8Array>;
+  /** The piece after the last one: fetched while that is used. */
+  #ahead: Promise<IteratorResult<Uint8Array>> | null = null;
+  /** What {@link fillNarrowly} left over of a piece. */
+  #rest: Uint8Array<ArrayBuffer> | null = null;
   readonly #onPiece: (bytesRead: number) => void;
   #received = 0;
 
@@ -23,7 +27,7 @@ export class ByteCursor {
 
   /** Byte offset of `position` in the stream. */
   get offset(): number {
-    return this.#received - this.available;
+    return this.#received - this.available - (this.#rest?.length ?? 0);
   }
 
   /** Makes at least `length` bytes available; false where the stream ends before. Complexity: linear in the bytes. */
@@ -42,6 +46,22 @@ export class ByteCursor {
     this.bytes = total === 0 ? new Uint8Array(0) : joinBytes(pieces, total);
     this.position = 0;
     return !isEnd;
+  }
+
+  /** As {@link fill}, without copying whole pieces: what lies in two becomes a window of just `length` bytes. */
+  async fillNarrowly(length: number): Promise<boolean> {
+    const left = this.available;
+    if (left >= length) return true;
+    const piece = await this.#next();
+    if (!piece) return false;
+    const needed = left === 0 ? piece.length : Math.min(length - left, piece.length);
+    this.bytes =
+      left === 0
+        ? piece
+        : joinBytes([this.bytes.subarray(this.position), piece.subarray(0, needed)], left + needed);
+    this.position = 0;
+    if (needed < piece.length) this.#rest = piece.subarray(needed);
+    return this.fill(length);
   }
 
   /** Moves on by `length` bytes; false where the stream ends before. */
@@ -68,8 +88,17 @@ export class ByteCursor {
   }
 
   async #next(): Promise<Uint8Array<ArrayBuffer> | null> {
-    const { done, value } = await this.#pieces.next();
+    if (this.#rest) {
+      const rest = this.#rest;
+      this.#rest = null;
+      return rest;
+    }
+    const { done, value } = await (this.#ahead ?? this.#pieces.next());
+    this.#ahead = null;
     if (done) return null;
+    this.#ahead = this.#pieces.next();
+    // An error is heard when its turn comes; nobody may be left to hear it.
+    this.#ahead.catch(() => {});
     this.#received += value.length;
     this.#onPiece(this.#received);
     return value as Uint8Array<ArrayBuffer>;

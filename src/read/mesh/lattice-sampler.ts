@@ -1,6 +1,6 @@
 import type { PointChunk } from '../cloud-reader.ts';
+import { FARTHEST, isPlace } from '../is-place.ts';
 import { CHUNK_POINTS } from '../point-buffer.ts';
-import { FARTHEST, isPlace } from '../thin/thinning.ts';
 import type { Mesh } from './mesh.ts';
 
 /** Farther than so many steps from the lattice's 0 steps cannot be counted; only a broken mesh is so far apart. */

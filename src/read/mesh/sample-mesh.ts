@@ -1,5 +1,5 @@
 import type { PointChunk } from '../cloud-reader.ts';
-import { isPlace } from '../thin/thinning.ts';
+import { isPlace } from '../is-place.ts';
 import { LatticeSampler } from './lattice-sampler.ts';
 import type { Mesh } from './mesh.ts';
 

@@ -5,7 +5,7 @@ import type { ByteSource } from '../bytes/source.ts';
 import { viewOf } from '../bytes/view-of.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
 import { goOnWith, tooFewBytes } from '../cut-off.ts';
-import { type ColourRange, PointBuffer } from '../point-buffer.ts';
+import { BLUE, type ColourRange, PointBuffer, RED } from '../point-buffer.ts';
 import { NUMBER_READERS, type RecordField, type RecordStream, readRecords } from '../records.ts';
 import { NUMBER_TYPE_OF, type PlyElement, type PlyProperty, type PlyType, valueBytes } from './ply-header.ts';
 
@@ -41,8 +41,12 @@ export function recordBytes({ properties }: PlyElement): number | null {
   return bytes;
 }
 
-export function vertexBuffer({ columns, colourRange }: PlyBody): PointBuffer {
-  return new PointBuffer((field) => columns[field] >= 0, colourRange);
+export function vertexBuffer({ elements, columns, colourRange }: PlyBody): PointBuffer {
+  const { properties } = elements[elements.length - 1];
+  const isByte = (field: number) =>
+    properties[columns[field]] && NUMBER_TYPE_OF[properties[columns[field]].type] === 'uint8';
+  const areBytes = isByte(RED) && isByte(RED + 1) && isByte(BLUE);
+  return new PointBuffer((field) => columns[field] >= 0, areBytes ? 'uint8' : colourRange);
 }
 
 /** Points of a binary PLY. @throws input/truncated, with the byte offset */

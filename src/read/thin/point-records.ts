@@ -1,5 +1,6 @@
 import type { PointAttributes } from '../../core/types.ts';
 import type { PointChunk } from '../cloud-reader.ts';
+import type { PointRun } from './point-run.ts';
 
 /** Words (of 32 bits) of a record: x, y and z as float64, then these. */
 export const PRIORITY = 6;
@@ -52,25 +53,46 @@ export class PointRecords {
     this.#floats = new Float32Array(grown.buffer);
   }
 
-  /** Copies the attributes of `count` points of a chunk, the first `from`, to records from `to` on; those it lacks are 0. */
-  setAttributes(to: number, chunk: PointChunk, from: number, count: number): void {
-    const { words, has } = this;
-    const step = 2 * this.stride;
+  /** Gives the records of a run the attributes that its points have in a chunk; those it lacks are 0. */
+  setAttributes({ count, points, records }: PointRun, chunk: PointChunk): void {
     if (this.stride === BARE) return;
-    const first = step * to;
-    const end = first + step * count;
+    const { words, has } = this;
+    const floats = this.#floats;
+    const step = 2 * this.stride;
     const colour = has.colour && chunk.colour;
     const intensity = has.intensity && chunk.intensity;
     const classification = has.classification && chunk.classification;
     const station = has.station && chunk.station;
-    for (let at = first, i = 3 * from; at < end; at += step, i += 3)
-      words[at + COLOUR] = colour ? colour[i] | (colour[i + 1] << 8) | (colour[i + 2] << 16) : 0;
-    for (let at = first, i = from; at < end; at += step, i++)
-      this.#floats[at + INTENSITY] = intensity ? intensity[i] : 0;
-    for (let at = first, i = from; classification && at < end; at += step, i++)
-      words[at + COLOUR] |= classification[i] << 24;
-    for (let at = first, i = from; has.station && at < end; at += step, i++)
-      words[at + STATION] = station ? station[i] : 0;
+    for (let k = 0; k < count; k++) {
+      const i = 3 * points[k];
+      const word = colour ? colour[i] | (colour[i + 1] << 8) | (colour[i + 2] << 16) : 0;
+      words[step * records[k] + COLOUR] = word;
+    }
+    for (let k = 0; k < count; k++)
+      floats[step * records[k] + INTENSITY] = intensity ? intensity[points[k]] : 0;
+    for (let k = 0; classification && k < count; k++)
+      words[step * records[k] + COLOUR] |= classification[points[k]] << 24;
+    for (let k = 0; has.station && k < count; k++)
+      words[step * records[k] + STATION] = station ? station[points[k]] : 0;
+  }
+
+  /** Gives the records of a run the attributes of those of others that it comes from. */
+  copyAttributes({ words: from }: PointRecords, { count, points, records }: PointRun): void {
+    const { words } = this;
+    const step = 2 * this.stride;
+    for (let k = 0; k < count; k++)
+      for (let word = CODE + 1; word < step; word++)
+        words[step * records[k] + word] = from[step * points[k] + word];
+  }
+
+  /** Copies a record over another. */
+  move(from: number, to: number): void {
+    const { xyz, words, stride } = this;
+    xyz[stride * to] = xyz[stride * from];
+    xyz[stride * to + 1] = xyz[stride * from + 1];
+    xyz[stride * to + 2] = xyz[stride * from + 2];
+    for (let word = PRIORITY; word < 2 * stride; word++)
+      words[2 * stride * to + word] = words[2 * stride * from + word];
   }
 
   /** Whether record a comes before b of the same priority: the first coordinate, then attribute, that differs is smaller. */

@@ -25,9 +25,10 @@ export class PointSample {
     if (priority > this.limit) return;
     this.#priorities[this.count] = priority;
     const to = 3 * this.count++;
-    this.xyz[to] = xyz[at];
-    this.xyz[to + 1] = xyz[at + 1];
-    this.xyz[to + 2] = xyz[at + 2];
+    // −0 becomes 0: one place, different bits.
+    this.xyz[to] = xyz[at] + 0;
+    this.xyz[to + 1] = xyz[at + 1] + 0;
+    this.xyz[to + 2] = xyz[at + 2] + 0;
   }
 
   /** x, y, z a point, relative to `origin`. */

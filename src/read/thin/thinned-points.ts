@@ -12,19 +12,19 @@ export interface ThinnedPoints<T> {
   readonly areSingle: boolean;
 }
 
-/** Copies points out of their blocks, in order. @param make room for so many values */
-export function copyInOrder<T extends Float32Array | Float64Array>(
+/** Copies points out of their blocks, in order, step by step. @param make room for so many values */
+export function* copyInOrder<T extends Float32Array | Float64Array>(
   blocks: CellBlocks,
   origin: Vec3,
   make: (length: number) => T,
-): ThinnedPoints<T> {
+): Generator<void, ThinnedPoints<T>> {
   const room = blocks.held;
   const positions = make(3 * room);
   const attributes = emptyAttributes(blocks.records.has, room);
   const hasAttributes = Object.keys(attributes).length > 0;
   let count = 0;
   let areSingle = true;
-  blocks.visitInOrder((records, places) => {
+  yield* blocks.visitInOrder((records, places) => {
     copyPositions(blocks.records, records, { origin, into: positions, places });
     areSingle &&= haveSingles(blocks.records, records);
     if (hasAttributes) blocks.records.getAttributes(records, attributes, places);

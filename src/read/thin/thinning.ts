@@ -2,19 +2,15 @@ import { FloorPlanError } from '../../core/errors.ts';
 import type { Vec3 } from '../../core/types.ts';
 import type { PointChunk } from '../cloud-reader.ts';
 import { CellBlocks } from './cell-blocks.ts';
-import { pointPriority } from './point-hash.ts';
-import { type AttributeSet, PointRecords, PRIORITY } from './point-records.ts';
+import type { AttributeSet } from './point-records.ts';
+import { type Box, growBox, PointRun, RUN_POINTS } from './point-run.ts';
 import { PointSample } from './point-sample.ts';
 import { copyInOrder, type ThinnedPoints } from './thinned-points.ts';
 
-/** Farther from 0 than this is no place in a building but a mark for "no return": a UTM northing in mm is 10¹⁰. */
-export const FARTHEST = 1e12;
 /** Finest cell tried when a cloud without cells is over its budget, as a share of its extent. */
 const FIRST_SHARE = 2 ** -20;
 /** Cells that order a cloud without cells, as a share of its extent. */
 const ORDER_SHARE = 2 ** -15;
-/** Points looked at together: few enough for the fastest cache. */
-const RUN_POINTS = 512;
 /** Points held, as a share of the budget, before those that lose their cell are left out. */
 const HELD_SHARE = 1.25;
 /** Records laid out for a point that is held: last pages are not full. Memory that is not written to costs nothing. */
@@ -55,8 +51,8 @@ export class Thinning {
   readonly sample = new PointSample();
   readonly #budget: number;
   readonly #expected: number;
-  /** The points at hand, before their block is known. */
-  #run: PointRecords | null = null;
+  readonly #run = new PointRun();
+  #has: AttributeSet | null = null;
   #blocks: CellBlocks | null = null;
 
   constructor({ cell, budget, expected = 0 }: ThinningOptions) {
@@ -68,29 +64,45 @@ export class Thinning {
 
   /** Points kept. */
   get count(): number {
-    this.#settle();
+    atOnce(this.#settle());
     return this.#blocks?.held ?? 0;
   }
 
-  /** Adds the points of a chunk; attributes are those that the first chunk has. @throws environment/memory */
+  /** Adds the points of a chunk at once; see {@link adding}. */
   add(chunk: PointChunk): void {
-    this.#run ??= new PointRecords(attributesIn(chunk), RUN_POINTS);
+    atOnce(this.adding(chunk));
+  }
+
+  /** Adds the points of a chunk, step by step where many must be looked through; attributes are those that the first chunk has. @throws environment/memory */
+  *adding(chunk: PointChunk): Generator<void> {
+    this.#has ??= attributesIn(chunk);
     const run = this.#run;
+    const { xyz } = chunk;
+    const places = { xyz, stride: 3 };
+    const words = new Int32Array(xyz.buffer, xyz.byteOffset, 2 * xyz.length);
     for (let begin = 0; begin < chunk.count; begin += RUN_POINTS) {
-      const count = this.#takeIn(run, chunk, begin, Math.min(chunk.count, begin + RUN_POINTS));
-      this.#rank(run, count);
-      this.#blocks ??= this.#makeBlocks(run.has);
+      const end = Math.min(chunk.count, begin + RUN_POINTS);
+      run.take(chunk, words, begin, end);
+      this.dropped += end - begin - run.count;
+      growBox(this.bounds, xyz, run);
+      this.#addToSample(xyz, run);
+      this.#blocks ??= this.#makeBlocks(this.#has);
       const blocks = this.#blocks;
-      allocate(() => blocks.append(run, 0, count));
-      if (blocks.held > this.#budget * HELD_SHARE) this.#settle();
+      allocate(() => blocks.append(places, run, (records) => records.setAttributes(run, chunk)));
+      if (blocks.held > this.#budget * HELD_SHARE) yield* this.#settle();
     }
     this.read += chunk.count;
   }
 
   /** Thins what is kept to coarser cells: the very points that these cells would have kept from the start. */
   coarsen(cell: number): void {
+    atOnce(this.coarsening(cell));
+  }
+
+  /** The same, step by step. */
+  *coarsening(cell: number): Generator<void> {
     this.cell = cell;
-    this.#rebuild();
+    yield* this.#rebuild();
   }
 
   /** Copies out the points kept, relative to `origin`. */
@@ -98,70 +110,40 @@ export class Thinning {
     origin: Vec3,
     make: (length: number) => T,
   ): ThinnedPoints<T> {
-    if (this.#blocks && this.#blocks.held > this.#budget) this.#settle();
+    return atOnce(this.ordering(origin, make));
+  }
+
+  /** The same, step by step. */
+  *ordering<T extends Float32Array | Float64Array>(
+    origin: Vec3,
+    make: (length: number) => T,
+  ): Generator<void, ThinnedPoints<T>> {
+    if (this.#blocks && this.#blocks.held > this.#budget) yield* this.#settle();
     // The first points gave a cloud without cells its lattice.
-    if (this.cell === 0 && this.#blocks && this.#blocks.cell !== this.#lattice()) this.#rebuild();
+    if (this.cell === 0 && this.#blocks && this.#blocks.cell !== this.#lattice()) yield* this.#rebuild();
     const blocks = this.#blocks ?? this.#makeBlocks(attributesIn({}));
-    return allocate(() => copyInOrder(blocks, origin, make));
+    return yield* allocating(copyInOrder(blocks, origin, make));
   }
 
-  /** Copies points that have a place, grows bounds and counts those that have none. Returns how many were copied. */
-  #takeIn(run: PointRecords, chunk: PointChunk, begin: number, end: number): number {
-    const { min, max } = this.bounds;
-    let [minX, minY, minZ] = min;
-    let [maxX, maxY, maxZ] = max;
-    const { xyz } = chunk;
-    const { stride } = run;
-    const into = run.xyz;
-    let to = 0;
-    for (let i = begin; i < end; i++) {
-      // −0 becomes 0: one place, different bits.
-      const x = xyz[3 * i] + 0;
-      const y = xyz[3 * i + 1] + 0;
-      const z = xyz[3 * i + 2] + 0;
-      if (!(Math.abs(x) <= FARTHEST && Math.abs(y) <= FARTHEST && Math.abs(z) <= FARTHEST)) continue;
-      into[to] = x;
-      into[to + 1] = y;
-      into[to + 2] = z;
-      to += stride;
-      if (x < minX) minX = x;
-      if (x > maxX) maxX = x;
-      if (y < minY) minY = y;
-      if (y > maxY) maxY = y;
-      if (z < minZ) minZ = z;
-      if (z > maxZ) maxZ = z;
-    }
-    [min[0], min[1], min[2]] = [minX, minY, minZ];
-    [max[0], max[1], max[2]] = [maxX, maxY, maxZ];
-    const count = to / stride;
-    this.dropped += end - begin - count;
-    if (count === end - begin) run.setAttributes(0, chunk, begin, count);
-    else copyPlacedAttributes(run, chunk, begin, end);
-    return count;
-  }
-
-  /** Notes the priorities of the points at hand, and takes some for the sample. */
-  #rank({ xyz, words, stride }: PointRecords, count: number): void {
+  #addToSample(xyz: Float64Array, { count, points, priorities }: PointRun): void {
     let { limit } = this.sample;
-    for (let i = 0; i < count; i++) {
-      const at = stride * i;
-      const priority = pointPriority(words, 2 * at);
-      words[2 * at + PRIORITY] = priority;
-      if (priority <= limit) {
-        this.sample.add(xyz, at, priority);
-        limit = this.sample.limit;
-      }
+    for (let k = 0; k < count; k++) {
+      if (priorities[k] > limit) continue;
+      this.sample.add(xyz, 3 * points[k], priorities[k]);
+      limit = this.sample.limit;
     }
   }
 
   /** Leaves out the points that lose their cell, and coarsens while too many are left. */
-  #settle(): void {
+  *#settle(): Generator<void> {
     const blocks = this.#blocks;
     if (!blocks) return;
-    blocks.settle();
+    yield* blocks.settling();
     while (this.#blocks && this.#blocks.held > this.#budget) {
       this.isOverBudget = true;
-      this.coarsen(this.cell > 0 ? 2 * this.cell : powerOfTwoBelow(FIRST_SHARE * diagonalOf(this.bounds)));
+      yield* this.coarsening(
+        this.cell > 0 ? 2 * this.cell : powerOfTwoBelow(FIRST_SHARE * diagonalOf(this.bounds)),
+      );
     }
   }
 
@@ -178,13 +160,13 @@ export class Thinning {
     return powerOfTwoBelow(ORDER_SHARE * diagonalOf(this.bounds)) || 1;
   }
 
-  #rebuild(): void {
+  *#rebuild(): Generator<void> {
     const old = this.#blocks;
     if (!old) return;
     this.#blocks = this.#makeBlocks(old.records.has);
     const blocks = this.#blocks;
-    allocate(() => old.moveTo(blocks));
-    blocks.settle();
+    yield* allocating(old.moving(blocks));
+    yield* blocks.settling();
   }
 }
 
@@ -196,12 +178,6 @@ function attributesIn(chunk: Partial<PointChunk>): AttributeSet {
     classification: classification !== undefined,
     station: station !== undefined,
   };
-}
-
-/** The attributes of those points of a chunk that have a place. */
-function copyPlacedAttributes(run: PointRecords, chunk: PointChunk, begin: number, end: number): void {
-  let to = 0;
-  for (let i = begin; i < end; i++) if (isPlace(chunk.xyz, 3 * i)) run.setAttributes(to++, chunk, i, 1);
 }
 
 /** The largest power of two that is not above `value`. */
@@ -216,17 +192,19 @@ export function diagonalOf({ min, max }: Box): number {
   return Math.hypot(...max.map((high, axis) => Math.max(0, high - min[axis])));
 }
 
-/** Corners of a box that grows. */
-interface Box {
-  readonly min: [x: number, y: number, z: number];
-  readonly max: [x: number, y: number, z: number];
+function atOnce<T>(steps: Generator<void, T>): T {
+  let step = steps.next();
+  while (!step.done) step = steps.next();
+  return step.value;
 }
 
-/** Whether a point is somewhere, `at` its x; false for NaN too. */
-export function isPlace(xyz: Float64Array, at: number): boolean {
-  return (
-    Math.abs(xyz[at]) <= FARTHEST && Math.abs(xyz[at + 1]) <= FARTHEST && Math.abs(xyz[at + 2]) <= FARTHEST
-  );
+function* allocating<T>(steps: Generator<void, T>): Generator<void, T> {
+  let step = allocate(() => steps.next());
+  while (!step.done) {
+    yield;
+    step = allocate(() => steps.next());
+  }
+  return step.value;
 }
 
 function allocate<T>(make: () => T): T {
