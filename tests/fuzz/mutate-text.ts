@@ -1,5 +1,7 @@
 import type { Random } from '../../fixtures/simulator/random.ts';
 
+/** Characters that a repetition makes at most. */
+const LONGEST = 1_000_000;
 const NUMBERS = [
   ...[
     'nan',
@@ -89,11 +91,11 @@ const EDITS: readonly TextEdit[] = [
   (text, random) => replaceOne(text, WORD, random, () => pickWord(text, random)),
   (text, random) => replaceOne(text, /[^\w\s]/g, random, () => random.pick(MARKS)),
   (text, random) => replaceOne(text, LINE, random, () => ''),
-  (text, random) => replaceOne(text, LINE, random, (line) => line.repeat(random.pick([2, 3, 50]))),
+  (text, random) => replaceOne(text, LINE, random, (line) => repeated(line, random.pick([2, 3, 50]))),
   (text, random) => replaceOne(text, LINE, random, (line) => line + random.pick(MARKS)),
   (text, random) => replaceOne(text, LINE, random, () => `${pickMatch(text, LINE, random)}`),
   (text, random) => replaceOne(text, /\S+/g, random, (word) => random.pick([`${word} ${word}`, ''])),
-  (text, random) => replaceOne(text, /\S+/g, random, (word) => word.repeat(random.pick([2, 400]))),
+  (text, random) => replaceOne(text, /\S+/g, random, (word) => repeated(word, random.pick([2, 400]))),
   (text, random) => {
     const at = random.integer(0, text.length);
     return text.slice(0, at) + random.pick(MARKS) + text.slice(at);
@@ -184,3 +186,8 @@ const JSON_NUMBERS = [
   1e300,
   null,
 ];
+
+/** Several times the same, as long as that stays a text: mutations of mutations would grow past what a string may hold. */
+function repeated(text: string, times: number): string {
+  return text.repeat(Math.max(1, Math.min(times, Math.floor(LONGEST / text.length))));
+}
