@@ -1,5 +1,5 @@
 import { convexHull } from '../geometry/convex-hull.ts';
-import { pointInPolygon, signedArea } from '../geometry/rings.ts';
+import { boundsOf, pointInPolygon, pointInRing, signedArea } from '../geometry/rings.ts';
 import { completeShell } from '../secondary/complete-shell.ts';
 import { distanceToRing } from '../secondary/structure.ts';
 import type { PointCloud, Polygon, Ring, SecondaryBoundary } from '../types.ts';
@@ -20,6 +20,10 @@ const SMALLEST = 0.01;
 /** Larger ones are shafts and cores, m². */
 const LARGEST_COLUMN = 1.5;
 const LARGEST = 12;
+
+/** Over more of a structure than this the ceiling cannot be seen, looked at so far within its rim, m. */
+const MOST_CEILED = 0.2;
+const RIM = 0.05;
 
 /** Structures that stand from floor to ceiling within rooms: columns and shafts. */
 export function findColumns(
@@ -89,13 +93,29 @@ function structureOf(
   const xy = pointsOf(cloud, columns, group);
   const outline = outlineOf(xy);
   const area = signedArea(outline);
-  if (area < SMALLEST || area > LARGEST) return null;
+  if (area < SMALLEST || area > LARGEST || ceiledShare(columns, outline) > MOST_CEILED) return null;
   return {
     outline: { outer: outline, holes: [] },
     operation: 'subtract',
     type: area <= LARGEST_COLUMN ? 'column' : 'shaft',
     points: xy.length / 2,
   };
+}
+
+/** Share of what is under an outline, off its rim, over which the ceiling was seen: it goes on over cupboards. */
+function ceiledShare({ table, size, overhead }: HeightColumns, outline: Ring): number {
+  const { minX, minY, maxX, maxY } = boundsOf(outline);
+  let [ceiled, count] = [0, 0];
+  for (let iy = Math.floor(minY / size); iy <= Math.floor(maxY / size); iy++) {
+    for (let ix = Math.floor(minX / size); ix <= Math.floor(maxX / size); ix++) {
+      const [x, y] = [(ix + 0.5) * size, (iy + 0.5) * size];
+      if (pointInRing(x, y, outline) <= 0 || distanceToRing(x, y, outline) < RIM) continue;
+      count++;
+      const c = table.find(ix, iy, 0);
+      if (c >= 0 && !Number.isNaN(overhead[c])) ceiled++;
+    }
+  }
+  return count === 0 ? 0 : ceiled / count;
 }
 
 function outlineOf(xy: Float64Array): Ring {

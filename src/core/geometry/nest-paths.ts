@@ -30,9 +30,11 @@ export function nestPaths(paths: readonly Path64[], toRing: ToRing): Polygon[] {
   }
   for (const hole of holes) {
     const [x, y] = placeInside(hole);
+    const area = -signedArea(hole);
     let around: Outer | null = null;
     for (const outer of outers) {
-      if (around !== null && outer.area >= around.area) continue;
+      // An island in the hole is smaller than it.
+      if (outer.area < area || (around !== null && outer.area >= around.area)) continue;
       if (isWithin(outer.bounds, x, y) && pointInRing(x, y, outer.ring) > 0) around = outer;
     }
     around?.holes.push(hole);
