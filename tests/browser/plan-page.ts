@@ -51,10 +51,10 @@ export async function openPlan(page: Page, query = ''): Promise<void> {
 
 /** Has the plan drawn from the outline, whose walls are as thick as a parameter says and whose gaps may be doors. */
 export async function drawOutline(page: Page): Promise<void> {
-  const plan = page.locator('floor-plan');
-  await plan.evaluate((element) => element.setAttribute('plan-method', 'outline'));
-  const method = () => plan.evaluate((element) => (element as FloorPlanElement).plan?.options.planMethod);
-  await expect.poll(method).toBe('outline');
+  const drawing = () => page.getByTestId('plan-svg').locator('svg').innerHTML();
+  const ofRooms = await drawing();
+  await page.locator('floor-plan').evaluate((plan) => plan.setAttribute('plan-method', 'outline'));
+  await expect.poll(drawing).not.toBe(ofRooms);
   await expectReady(page);
 }
 
