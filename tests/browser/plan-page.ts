@@ -109,29 +109,29 @@ export async function dropFile(page: Page, name: string, text: string): Promise<
   await target.dispatchEvent('drop', { dataTransfer: transfer });
 }
 
-/** Where a place of the plan, source coordinates, lies on the screen once the sheet is at rest: the tool's bar makes it move. */
+/** Where a place of the plan, source coordinates, lies on the screen once the sheet is at rest: the tool's bar makes it move, a run draws it anew. */
 export function onSheet(page: Page, x: number, y: number): Promise<[number, number]> {
-  return page
-    .getByTestId('plan-svg')
-    .locator('svg')
-    .evaluate(
-      async (svg: SVGSVGElement, [px, py]) => {
-        const look = () => String(Object.values(svg.getBoundingClientRect().toJSON()));
-        for (let [before, calm] = ['', 0]; calm < 4; ) {
-          await new Promise((resolve) => requestAnimationFrame(resolve));
-          calm = look() === before ? calm + 1 : 0;
-          before = look();
-        }
-        const [a, b, c, d, e, f] = svg.dataset.planToSheet!.split(' ').map(Number);
-        const frame = (svg.getRootNode() as ShadowRoot).host as FloorPlanElement;
-        const { planOrigin, metresPerUnit } = frame.plan!.frame;
-        const [qx, qy] = [(px - planOrigin[0]) * metresPerUnit, (py - planOrigin[1]) * metresPerUnit];
-        const point = new DOMPoint(a * qx + c * qy + e, b * qx + d * qy + f);
-        const onScreen = point.matrixTransform(svg.getScreenCTM()!);
-        return [onScreen.x, onScreen.y] as [number, number];
-      },
-      [x, y],
-    );
+  return page.locator('floor-plan').evaluate(
+    async (element: FloorPlanElement, [px, py]) => {
+      const drawing = () =>
+        element.shadowRoot!.querySelector<SVGSVGElement>('[data-testid=plan-svg] svg') ?? undefined;
+      const look = () => String(Object.values(drawing()?.getBoundingClientRect().toJSON() ?? {}));
+      let svg = drawing();
+      for (let [before, calm] = ['', 0]; calm < 4; ) {
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+        calm = svg && svg === drawing() && look() === before ? calm + 1 : 0;
+        before = look();
+        svg = drawing();
+      }
+      const [a, b, c, d, e, f] = svg!.dataset.planToSheet!.split(' ').map(Number);
+      const { planOrigin, metresPerUnit } = element.plan!.frame;
+      const [qx, qy] = [(px - planOrigin[0]) * metresPerUnit, (py - planOrigin[1]) * metresPerUnit];
+      const point = new DOMPoint(a * qx + c * qy + e, b * qx + d * qy + f);
+      const onScreen = point.matrixTransform(svg!.getScreenCTM()!);
+      return [onScreen.x, onScreen.y] as [number, number];
+    },
+    [x, y],
+  );
 }
 
 /** What axe finds wrong with the page. */

@@ -12,6 +12,8 @@ export default defineConfig({
   expect: { timeout: 20_000 },
   // Software rendering takes a core; side by side the tests would starve each other.
   workers: 1,
+  // A loaded machine may draw late; what passes on its second try only is named flaky in the report.
+  retries: process.env.CI ? 1 : 0,
   reporter: [['list']],
   use: {
     baseURL: `http://localhost:${PORT}/`,
