@@ -1,12 +1,11 @@
 import type { PointCloud } from '../types.ts';
+import { countBins } from './bin-masks.ts';
 import type { Face } from './fit-line.ts';
-import { binAt, type HeightColumns, hasBin } from './height-columns.ts';
+import { binAt, columnAt, type HeightColumns, topShare } from './height-columns.ts';
 import type { LocalCeiling } from './local-ceiling.ts';
 
 /** Bits of wall along a face, m. */
 const STEP = 0.05;
-/** Height below a ceiling of the cleanest slice of a wall, m: above door heads and cupboards. */
-const TOP_BAND = 0.45;
 /** Distance to either side at which a face's ceiling is looked up, m. */
 const BESIDE = 0.4;
 /** What the rest of a wall counts where its top is not to be seen. */
@@ -76,10 +75,11 @@ export function supportAlong(
  */
 function ceilingParting(
   { positions }: PointCloud,
-  { table, size, overPoints, overStart }: HeightColumns,
+  columns: HeightColumns,
   { nx, ny, offset, noise }: Face,
   { from, count }: { readonly from: number; readonly count: number },
 ): Float64Array {
+  const { size, overPoints, overStart } = columns;
   const near = Math.max(NEAR, NOISES * noise);
   const far = Math.max(THINNEST, near + 0.02);
   const before = new Float64Array(count);
@@ -89,7 +89,7 @@ function ceilingParting(
     const along = from + (k + 0.5) * STEP;
     for (let across = -far; across <= far; across += size / 2) {
       const [x, y] = [nx * (offset + across) - ny * along, ny * (offset + across) + nx * along];
-      const c = table.find(Math.floor(x / size), Math.floor(y / size), 0);
+      const c = columnAt(columns, x, y);
       if (c < 0 || visited.has(c)) continue;
       visited.add(c);
       for (let p = overStart[c]; p < overStart[c + 1]; p++) {
@@ -114,15 +114,8 @@ function ceilingParting(
   });
 }
 
-/** Share of the bins below a ceiling that have points, or of all, which counts less. */
+/** Share of the bins just below a ceiling that have points, or of all, which counts less. */
 function standingShare(columns: HeightColumns, masks: Int32Array, k: number, ceiling: number): number {
-  const top = binAt(columns, ceiling);
-  const bottom = Math.max(0, top - Math.round(TOP_BAND * columns.binsPerMetre));
-  let [body, band] = [0, 0];
-  for (let bin = 0; bin < top; bin++) {
-    if (!hasBin(masks, k, bin)) continue;
-    body++;
-    if (bin >= bottom) band++;
-  }
-  return Math.max(band / Math.max(1, top - bottom), BODY_SHARE * (body / Math.max(1, top)));
+  const bins = binAt(columns, ceiling);
+  return Math.max(topShare(columns, masks, k, ceiling), BODY_SHARE * (countBins(masks, k, 0, bins) / bins));
 }

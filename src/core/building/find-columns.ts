@@ -3,17 +3,18 @@ import { boundsOf, pointInPolygon, pointInRing, signedArea } from '../geometry/r
 import { completeShell } from '../secondary/complete-shell.ts';
 import { distanceToRing } from '../secondary/structure.ts';
 import type { PointCloud, Polygon, Ring, SecondaryBoundary } from '../types.ts';
-import { binAt, type HeightColumns, hasBin } from './height-columns.ts';
+import { hasBin } from './bin-masks.ts';
+import { type HeightColumns, topShare } from './height-columns.ts';
 import type { LocalCeiling } from './local-ceiling.ts';
 
 /** A structure stands this far off the walls, m: nearer, it is a part of them. */
 const OFF_WALL = 0.12;
-/** Height below the ceiling that a structure reaches into, m: above cupboards. */
-const TOP_BAND = 0.45;
-/** … with points in so many of its bins … */
+/** It reaches above cupboards: so many of the bins just below the ceiling have points … */
 const TOP_SHARE = 0.5;
-/** … and over so much of its whole height. */
+/** … its columns together over so much of the whole height … */
 const LEAST_STANDING = 0.6;
+/** … and each of its columns in so many of all bins. */
+const LEAST_HITS = 0.3;
 /** Fewest columns, and area, m², of the grid that make one. */
 const FEWEST = 3;
 const SMALLEST = 0.01;
@@ -39,15 +40,12 @@ export function findColumns(
 }
 
 function standingColumns(columns: HeightColumns, ceiling: LocalCeiling): Uint8Array {
-  const { count, hits, bins, masks, centres, binsPerMetre } = columns;
+  const { count, hits, bins, masks, centres } = columns;
   const isStanding = new Uint8Array(count);
   for (let c = 0; c < count; c++) {
     if (hits[c] < 2) continue;
-    const top = binAt(columns, ceiling.at(centres[2 * c], centres[2 * c + 1]));
-    const bottom = Math.max(0, top - Math.round(TOP_BAND * binsPerMetre));
-    let band = 0;
-    for (let bin = bottom; bin < top; bin++) if (hasBin(masks, c, bin)) band++;
-    isStanding[c] = band >= TOP_SHARE * (top - bottom) && hits[c] >= 0.3 * bins ? 1 : 0;
+    const top = topShare(columns, masks, c, ceiling.at(centres[2 * c], centres[2 * c + 1]));
+    isStanding[c] = top >= TOP_SHARE && hits[c] >= LEAST_HITS * bins ? 1 : 0;
   }
   return isStanding;
 }

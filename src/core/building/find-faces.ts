@@ -3,7 +3,7 @@ import { columnDirections, turnBetween } from './column-directions.ts';
 import { type CurvedFace, fitArc } from './fit-arc.ts';
 import { type Face, fitLine, type Line } from './fit-line.ts';
 import { growArc } from './grow-arc.ts';
-import type { HeightColumns } from './height-columns.ts';
+import { columnAt, type HeightColumns } from './height-columns.ts';
 
 /** Columns with hits in fewer of their bins are no wall … */
 const LEAST_HITS = 0.3;
@@ -138,14 +138,14 @@ interface Collected {
 /** Takes up the columns across a line at a place along it; tells whether there are any. */
 function collect(walls: WallColumns, line: Line, along: number, { found, seen }: Collected): boolean {
   const { columns, angle, isFree } = walls;
-  const { table, centres, size } = columns;
+  const { centres, size } = columns;
   const { nx, ny, offset } = line;
   const normal = Math.atan2(ny, nx);
   let isAny = false;
   for (let across = -BAND; across <= BAND; across += size / 2) {
     const x = nx * (offset + across) - ny * along;
     const y = ny * (offset + across) + nx * along;
-    const c = table.find(Math.floor(x / size), Math.floor(y / size), 0);
+    const c = columnAt(columns, x, y);
     if (c < 0 || isFree[c] === 0) continue;
     if (seen.has(c)) {
       isAny = true;

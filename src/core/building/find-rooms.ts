@@ -6,7 +6,7 @@ import { findFaces } from './find-faces.ts';
 import type { Face } from './fit-line.ts';
 import type { HeightColumns } from './height-columns.ts';
 import { labelSpace, type Space } from './label-space.ts';
-import { localCeiling } from './local-ceiling.ts';
+import type { LocalCeiling } from './local-ceiling.ts';
 import { missingBacks } from './missing-backs.ts';
 import { type SeenSpace, seenSpace } from './seen-space.ts';
 import { settleFaces } from './settle-faces.ts';
@@ -30,9 +30,9 @@ export interface FoundRooms {
 }
 
 /** The rooms of a storey. */
-export function findRooms(cloud: PointCloud, columns: HeightColumns): FoundRooms {
+export function findRooms(cloud: PointCloud, columns: HeightColumns, ceiling: LocalCeiling): FoundRooms {
   const seen = seenSpace(columns);
-  const walls = wallFaces(cloud, columns);
+  const walls = wallFaces(cloud, columns, ceiling);
   const first = subdivide(walls, columns, seen);
   const backs = missingBacks(first, columns);
   return backs.faces.length === 0 ? first : subdivide(joined(walls, backs), columns, seen);
@@ -44,8 +44,7 @@ export interface WallFaces {
   readonly supports: readonly FaceSupport[];
 }
 
-function wallFaces(cloud: PointCloud, columns: HeightColumns): WallFaces {
-  const ceiling = localCeiling(columns);
+function wallFaces(cloud: PointCloud, columns: HeightColumns, ceiling: LocalCeiling): WallFaces {
   const { straight, curved } = findFaces(cloud, columns);
   const stands = (group: readonly WallFace[]): WallFaces | null => {
     const supports = group.map((face) => supportAlong(cloud, columns, ceiling, face, face.reach));

@@ -1,6 +1,7 @@
 import { turnBetween } from './column-directions.ts';
 import type { WallColumns } from './find-faces.ts';
 import { type Arc, circleThrough } from './fit-arc.ts';
+import { columnAt } from './height-columns.ts';
 
 /** Reach of the first look around a column, m. */
 const FIRST_REACH = 0.8;
@@ -106,14 +107,14 @@ function collectAt(
   direction: number,
   seen: Set<number>,
 ): boolean {
-  const { table, centres, size } = columns;
+  const { centres, size } = columns;
   let isAny = false;
   for (let across = -BAND; across <= BAND; across += size / 2) {
     const [x, y] = [
       cx + (radius + across) * Math.cos(direction),
       cy + (radius + across) * Math.sin(direction),
     ];
-    const c = table.find(Math.floor(x / size), Math.floor(y / size), 0);
+    const c = columnAt(columns, x, y);
     if (c < 0 || isFree[c] === 0) continue;
     if (Math.abs(Math.hypot(centres[2 * c] - cx, centres[2 * c + 1] - cy) - radius) > BAND) continue;
     if (!(turnBetween(angle[c], direction) <= MOST_TURN)) continue;

@@ -1,12 +1,10 @@
 import { CellTable } from '../cell-table.ts';
 import type { PointCloud } from '../types.ts';
+import { countBins, highestBin, MOST_BINS, setBin } from './bin-masks.ts';
 import type { StoreyHeights } from './find-storeys.ts';
 
 /** Height of a bin, m: coarser than the voxels of a thinned cloud. */
 const BIN = 0.1;
-/** Bits of a column's mask. */
-const MOST_BINS = 62;
-const WORD = 31;
 /** Floors and ceilings are found within this of their height, m: noise, tilt, sills, coves. */
 const PLANE_REACH = 0.08;
 /** Height below the ceiling of the cleanest slice of a storey, m: above door heads and cupboards. */
@@ -15,6 +13,12 @@ const TOP_BAND = 0.45;
 const SPACINGS = 1.25;
 const NARROWEST = 0.05;
 const WIDEST = 0.15;
+/** Lowest height of a lowered ceiling above the floor, m: door heads and most cupboards are below. */
+const LEAST_OVERHEAD = 2.3;
+/** Points within this of what hangs over a column are on it, m. */
+const OVER_REACH = 0.1;
+/** Bins below a ceiling that are empty, or a wall would be taken for one. */
+const CLEAR_BINS = 3;
 
 /** The points of a storey in columns of a square grid seen from above. */
 export interface HeightColumns {
@@ -33,7 +37,7 @@ export interface HeightColumns {
   /** Height of the lowest bin's bottom, m, in the cloud's frame. */
   readonly low: number;
   readonly topBins: number;
-  /** Two words a column, a bit a bin with points. */
+  /** Bins with points of each column; see `bin-masks.ts`. */
   readonly masks: Int32Array;
   /** Height of what hangs over the column, m, in the cloud's frame; NaN where nothing does. */
   readonly overhead: Float32Array;
@@ -52,125 +56,39 @@ export interface HeightColumns {
 export function heightColumns(cloud: PointCloud, kept: Uint32Array, heights: StoreyHeights): HeightColumns {
   const { positions } = cloud;
   const size = columnSize(positions, kept, heights);
-  const low = heights.floor + PLANE_REACH;
-  const high = heights.ceiling - PLANE_REACH;
-  const bins = Math.max(1, Math.min(MOST_BINS, Math.round((high - low) / BIN)));
-  const binsPerMetre = bins / (high - low);
-  const topBins = Math.max(1, Math.min(bins, Math.round(TOP_BAND * binsPerMetre)));
-  const table = new CellTable(kept.length / 16);
-  const columnOf = new Int32Array(kept.length).fill(-1);
-  for (let k = 0; k < kept.length; k++) {
-    const i = 3 * kept[k];
-    const z = positions[i + 2];
-    if (z < heights.floor - PLANE_REACH || z > heights.ceiling + PLANE_REACH) continue;
-    columnOf[k] = table.add(Math.floor(positions[i] / size), Math.floor(positions[i + 1] / size), 0);
-  }
-  const count = table.count;
-  const masks = new Int32Array(2 * count);
-  const planes = new Uint8Array(count);
-  const start = new Uint32Array(count + 1);
-  const centres = new Float64Array(2 * count);
-  for (let k = 0; k < kept.length; k++) {
-    const column = columnOf[k];
-    if (column < 0) continue;
-    const i = 3 * kept[k];
-    const z = positions[i + 2];
-    if (z < low) planes[column] |= Math.abs(z - heights.floor) <= PLANE_REACH ? 1 : 0;
-    else if (z >= high) planes[column] |= 2;
-    else {
-      const bin = Math.min(bins - 1, Math.floor((z - low) * binsPerMetre));
-      masks[2 * column + (bin < WORD ? 0 : 1)] |= 1 << (bin % WORD);
-      start[column + 1]++;
-      centres[2 * column] += positions[i];
-      centres[2 * column + 1] += positions[i + 1];
-    }
-  }
-  const hits = new Uint8Array(count);
-  const topHits = new Uint8Array(count);
-  for (let c = 0; c < count; c++) {
-    centres[2 * c] /= start[c + 1];
-    centres[2 * c + 1] /= start[c + 1];
-    hits[c] = bitCount(masks[2 * c]) + bitCount(masks[2 * c + 1]);
-    for (let bin = bins - topBins; bin < bins; bin++) {
-      topHits[c] += (masks[2 * c + (bin < WORD ? 0 : 1)] >>> (bin % WORD)) & 1;
-    }
-  }
-  const overhead = overheads(masks, planes, heights, { low, binsPerMetre });
-  const overStart = new Uint32Array(count + 1);
-  const isOver = (column: number, z: number) =>
-    !Number.isNaN(overhead[column]) && z > overhead[column] - OVER_REACH;
-  for (let k = 0; k < kept.length; k++) {
-    const column = columnOf[k];
-    if (column >= 0 && isOver(column, positions[3 * kept[k] + 2])) overStart[column + 1]++;
-  }
-  for (let c = 0; c < count; c++) start[c + 1] += start[c];
-  for (let c = 0; c < count; c++) overStart[c + 1] += overStart[c];
-  const points = new Uint32Array(start[count]);
-  const overPoints = new Uint32Array(overStart[count]);
-  const next = start.slice(0, count);
-  const overNext = overStart.slice(0, count);
-  for (let k = 0; k < kept.length; k++) {
-    const column = columnOf[k];
-    if (column < 0) continue;
-    const z = positions[3 * kept[k] + 2];
-    if (z >= low && z < high) points[next[column]++] = kept[k];
-    if (isOver(column, z)) overPoints[overNext[column]++] = kept[k];
-  }
+  const bins = heightBins(heights);
+  const sorted = sortIntoColumns(positions, kept, heights, size);
+  const { table } = sorted;
+  const filled = fillBins(positions, sorted, heights, bins);
+  const overhead = overheads(filled, heights, bins);
+  const between = pointsByColumn(
+    sorted,
+    (i) => positions[3 * i + 2] >= bins.low && positions[3 * i + 2] < bins.high,
+  );
+  // What hangs over no column is not a number, and no point is above that.
+  const over = pointsByColumn(sorted, (i, c) => positions[3 * i + 2] > overhead[c] - OVER_REACH);
+  const hitsFrom = (first: number) =>
+    Uint8Array.from(overhead, (_, c) => countBins(filled.masks, c, first, bins.bins));
   return {
     size,
     heights,
-    count,
+    count: table.count,
     table,
-    centres,
-    hits,
-    topHits,
-    bins,
-    binsPerMetre,
-    low,
-    topBins,
-    masks,
+    centres: centresOf(positions, between),
+    hits: hitsFrom(0),
+    topHits: hitsFrom(bins.bins - bins.topBins),
+    bins: bins.bins,
+    binsPerMetre: bins.binsPerMetre,
+    low: bins.low,
+    topBins: bins.topBins,
+    masks: filled.masks,
     overhead,
-    planes,
-    points,
-    start,
-    overPoints,
-    overStart,
+    planes: filled.planes,
+    points: between.points,
+    start: between.start,
+    overPoints: over.points,
+    overStart: over.start,
   };
-}
-
-/** Lowest height of a lowered ceiling above the floor, m: door heads and most cupboards are below. */
-const LEAST_OVERHEAD = 2.3;
-/** Points within this of what hangs over a column are on it, m. */
-const OVER_REACH = 0.1;
-/** Bins below a ceiling that are empty, or a wall would be taken for one. */
-const CLEAR_BINS = 3;
-
-/** A column's ceiling: that of the storey, or its highest bin if some below are clear. */
-function overheads(
-  masks: Int32Array,
-  planes: Uint8Array,
-  { floor, ceiling }: StoreyHeights,
-  { low, binsPerMetre }: { readonly low: number; readonly binsPerMetre: number },
-): Float32Array {
-  return Float32Array.from(planes, (plane, c) => {
-    if (plane & 2) return ceiling;
-    const highest =
-      masks[2 * c + 1] !== 0 ? WORD + 31 - Math.clz32(masks[2 * c + 1]) : 31 - Math.clz32(masks[2 * c]);
-    const z = low + (highest + 0.5) / binsPerMetre;
-    if (z < floor + LEAST_OVERHEAD) return Number.NaN;
-    for (let bin = highest - CLEAR_BINS; bin < highest; bin++) if (hasBin(masks, c, bin)) return Number.NaN;
-    return z;
-  });
-}
-
-/** The bin that ends below a ceiling at height `z`. */
-export function binAt({ low, binsPerMetre, bins }: HeightColumns, z: number): number {
-  return Math.max(1, Math.min(bins, Math.round((z - PLANE_REACH - low) * binsPerMetre)));
-}
-
-/** Whether a column has points in a bin. */
-export function hasBin(masks: Int32Array, column: number, bin: number): boolean {
-  return bin >= 0 && ((masks[2 * column + (bin < WORD ? 0 : 1)] >>> (bin % WORD)) & 1) === 1;
 }
 
 /** From how far apart points lie on the floor, where cells of 10 cm have any. */
@@ -191,15 +109,131 @@ function columnSize(positions: Float32Array, kept: Uint32Array, { floor, ceiling
   return Math.min(WIDEST, Math.max(NARROWEST, SPACINGS * spacing));
 }
 
-function bitCount(mask: number): number {
-  let rest = mask;
-  let bits = 0;
-  for (; rest !== 0; bits++) rest &= rest - 1;
-  return bits;
+/** The bins between floor and ceiling. */
+interface HeightBins extends Pick<HeightColumns, 'bins' | 'binsPerMetre' | 'low' | 'topBins'> {
+  /** Height of the highest bin's top, m, in the cloud's frame. */
+  readonly high: number;
+}
+
+function heightBins({ floor, ceiling }: StoreyHeights): HeightBins {
+  const [low, high] = [floor + PLANE_REACH, ceiling - PLANE_REACH];
+  const bins = Math.max(1, Math.min(MOST_BINS, Math.round((high - low) / BIN)));
+  const binsPerMetre = bins / (high - low);
+  const topBins = Math.max(1, Math.min(bins, Math.round(TOP_BAND * binsPerMetre)));
+  return { low, high, bins, binsPerMetre, topBins };
+}
+
+/** The points of a storey, and the column of each. */
+interface SortedPoints {
+  readonly table: CellTable;
+  readonly kept: Uint32Array;
+  /** −1 for points of other storeys. */
+  readonly columnOf: Int32Array;
+}
+
+function sortIntoColumns(
+  positions: Float32Array,
+  kept: Uint32Array,
+  { floor, ceiling }: StoreyHeights,
+  size: number,
+): SortedPoints {
+  const table = new CellTable(kept.length / 16);
+  const columnOf = new Int32Array(kept.length).fill(-1);
+  for (let k = 0; k < kept.length; k++) {
+    const i = 3 * kept[k];
+    const z = positions[i + 2];
+    if (z < floor - PLANE_REACH || z > ceiling + PLANE_REACH) continue;
+    columnOf[k] = table.add(Math.floor(positions[i] / size), Math.floor(positions[i + 1] / size), 0);
+  }
+  return { table, kept, columnOf };
+}
+
+type FilledBins = Pick<HeightColumns, 'masks' | 'planes'>;
+
+function fillBins(
+  positions: Float32Array,
+  { table, kept, columnOf }: SortedPoints,
+  { floor }: StoreyHeights,
+  { low, high, bins, binsPerMetre }: HeightBins,
+): FilledBins {
+  const masks = new Int32Array(2 * table.count);
+  const planes = new Uint8Array(table.count);
+  for (let k = 0; k < kept.length; k++) {
+    const column = columnOf[k];
+    if (column < 0) continue;
+    const z = positions[3 * kept[k] + 2];
+    if (z < low) planes[column] |= Math.abs(z - floor) <= PLANE_REACH ? 1 : 0;
+    else if (z >= high) planes[column] |= 2;
+    else setBin(masks, column, Math.min(bins - 1, Math.floor((z - low) * binsPerMetre)));
+  }
+  return { masks, planes };
+}
+
+/** A column's ceiling: that of the storey, or its highest bin if some below are clear. */
+function overheads(
+  { masks, planes }: FilledBins,
+  { floor, ceiling }: StoreyHeights,
+  { low, binsPerMetre }: HeightBins,
+): Float32Array {
+  return Float32Array.from(planes, (plane, c) => {
+    if (plane & 2) return ceiling;
+    const highest = highestBin(masks, c);
+    const z = low + (highest + 0.5) / binsPerMetre;
+    const isClear = countBins(masks, c, highest - CLEAR_BINS, highest) === 0;
+    return z >= floor + LEAST_OVERHEAD && isClear ? z : Number.NaN;
+  });
+}
+
+type ColumnPoints = Pick<HeightColumns, 'points' | 'start'>;
+
+/** Indices of the points that count, column by column. */
+function pointsByColumn(
+  { table, kept, columnOf }: SortedPoints,
+  counts: (point: number, column: number) => boolean,
+): ColumnPoints {
+  const start = new Uint32Array(table.count + 1);
+  const isOwn = (k: number) => columnOf[k] >= 0 && counts(kept[k], columnOf[k]);
+  for (let k = 0; k < kept.length; k++) if (isOwn(k)) start[columnOf[k] + 1]++;
+  for (let c = 0; c < table.count; c++) start[c + 1] += start[c];
+  const points = new Uint32Array(start[table.count]);
+  const next = start.slice(0, table.count);
+  for (let k = 0; k < kept.length; k++) if (isOwn(k)) points[next[columnOf[k]]++] = kept[k];
+  return { points, start };
+}
+
+function centresOf(positions: Float32Array, { points, start }: ColumnPoints): Float64Array {
+  const count = start.length - 1;
+  const centres = new Float64Array(2 * count);
+  for (let c = 0; c < count; c++) {
+    for (let k = start[c]; k < start[c + 1]; k++) {
+      centres[2 * c] += positions[3 * points[k]];
+      centres[2 * c + 1] += positions[3 * points[k] + 1];
+    }
+    centres[2 * c] /= start[c + 1] - start[c];
+    centres[2 * c + 1] /= start[c + 1] - start[c];
+  }
+  return centres;
+}
+
+/** The column at a place; −1 where there is none. */
+export function columnAt({ table, size }: HeightColumns, x: number, y: number): number {
+  return table.find(Math.floor(x / size), Math.floor(y / size), 0);
 }
 
 /** Whether floor or ceiling was seen in the column at a place. */
-export function hasPlane({ table, size, planes }: HeightColumns, x: number, y: number): boolean {
-  const c = table.find(Math.floor(x / size), Math.floor(y / size), 0);
-  return c >= 0 && planes[c] !== 0;
+export function hasPlane(columns: HeightColumns, x: number, y: number): boolean {
+  const c = columnAt(columns, x, y);
+  return c >= 0 && columns.planes[c] !== 0;
+}
+
+/** The bin that ends below a ceiling at height `z`. */
+export function binAt({ low, binsPerMetre, bins }: HeightColumns, z: number): number {
+  return Math.max(1, Math.min(bins, Math.round((z - PLANE_REACH - low) * binsPerMetre)));
+}
+
+/** Share of the bins in the cleanest slice below a ceiling at height `z` that are filled. */
+export function topShare(columns: HeightColumns, masks: Int32Array, owner: number, z: number): number {
+  const top = binAt(columns, z);
+  const bottom = Math.max(0, top - Math.round(TOP_BAND * columns.binsPerMetre));
+  return countBins(masks, owner, bottom, top) / Math.max(1, top - bottom);
 }

@@ -68,7 +68,8 @@ interface Site {
 /** Rooms, walls, openings and structures of a storey. */
 export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: StoreyHeights): StoreyPlan {
   const columns = heightColumns(cloud, kept, heights);
-  const { faces, rooms: found } = findRooms(cloud, columns);
+  const ceiling = localCeiling(columns);
+  const { faces, rooms: found } = findRooms(cloud, columns, ceiling);
   const outlines = inReadingOrder(found.map(({ outline }) => outline));
   const noise = faces.length > 0 ? medianOf(Float64Array.from(faces, (face) => face.noise)) : USUAL_NOISE;
   const site: Site = { cloud, columns, noise, height: heights.ceiling - heights.floor };
@@ -95,7 +96,7 @@ export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: Storey
       holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
     ),
     outer,
-    secondary: findColumns(cloud, columns, localCeiling(columns), outlines),
+    secondary: findColumns(cloud, columns, ceiling, outlines),
     unseen: unseen.flat(),
   };
 }

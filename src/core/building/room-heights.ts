@@ -5,10 +5,10 @@ import type { HeightColumns } from './height-columns.ts';
 
 /** Fewer columns with a ceiling tell nothing of a room's. */
 const FEWEST = 20;
-/** A point in so many tells a ceiling's height as well as all do. */
-const MOST_POINTS = 20_000;
+/** So many columns tell a room's height as well as all of them do. */
+const MOST_COLUMNS = 20_000;
 
-/** Heights of rooms, m, from the points that hang over each; the storey's where there are none. */
+/** Heights of rooms, m: the median over their columns of a point that hangs over each; the storey's where there are few. O(columns · rooms). */
 export function roomHeights(cloud: PointCloud, columns: HeightColumns, rooms: readonly Polygon[]): number[] {
   const { count, centres, overPoints, overStart, table, size, heights } = columns;
   const ofRoom: number[][] = rooms.map(() => []);
@@ -24,7 +24,7 @@ export function roomHeights(cloud: PointCloud, columns: HeightColumns, rooms: re
   return ofRoom.map((own) => {
     if (own.length < FEWEST) return heights.ceiling - heights.floor;
     const zs: number[] = [];
-    const step = Math.ceil(own.length / MOST_POINTS);
+    const step = Math.ceil(own.length / MOST_COLUMNS);
     for (let k = 0; k < own.length; k += step)
       zs.push(cloud.positions[3 * overPoints[overStart[own[k]]] + 2]);
     return medianOf(Float64Array.from(zs)) - heights.floor;

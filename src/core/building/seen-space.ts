@@ -1,4 +1,4 @@
-import type { HeightColumns } from './height-columns.ts';
+import { columnAt, type HeightColumns } from './height-columns.ts';
 
 /** A column with points in more of its bins is a wall's or furniture's: what is seen above or below it tells nothing. */
 const CLEAR_SHARE = 0.3;
@@ -15,7 +15,7 @@ export interface SeenSpace {
 
 /** A column beside a wall may reach into it, so it does not count. O(columns). */
 export function seenSpace(columns: HeightColumns): SeenSpace {
-  const { table, count, size, hits, bins, topHits, topBins, planes, overhead } = columns;
+  const { table, count, hits, bins, topHits, topBins, planes, overhead } = columns;
   const isSeen = new Uint8Array(count);
   const isClear = (c: number) =>
     c < 0 || (hits[c] <= CLEAR_SHARE * bins && topHits[c] <= LINTEL_SHARE * topBins);
@@ -32,7 +32,7 @@ export function seenSpace(columns: HeightColumns): SeenSpace {
   return {
     isSeen,
     at(x, y) {
-      const c = table.find(Math.floor(x / size), Math.floor(y / size), 0);
+      const c = columnAt(columns, x, y);
       return c >= 0 && isClear(c) && (hasCeiling ? !Number.isNaN(overhead[c]) : planes[c] !== 0);
     },
   };

@@ -1,5 +1,5 @@
 import type { PointCloud } from '../types.ts';
-import type { HeightColumns } from './height-columns.ts';
+import { columnAt, type HeightColumns } from './height-columns.ts';
 
 /** A stretch of wall to look into. */
 export interface WallStretch {
@@ -26,14 +26,14 @@ const BEFORE = 0.06;
 
 /** The points of a storey in a stretch of wall. O(columns of the stretch + points). */
 export function wallStrip(cloud: PointCloud, columns: HeightColumns, stretch: WallStretch): WallStrip {
-  const { table, size, start, points, heights } = columns;
+  const { size, start, points, heights } = columns;
   const { positions } = cloud;
   const { x, y, ux, uy, length, depth } = stretch;
   const seen = new Set<number>();
   for (let s = -size; s <= length + size; s += size / 2) {
     for (let d = -BEFORE - size; d <= depth + size; d += size / 2) {
       const [px, py] = [x + s * ux + d * uy, y + s * uy - d * ux];
-      const c = table.find(Math.floor(px / size), Math.floor(py / size), 0);
+      const c = columnAt(columns, px, py);
       if (c >= 0) seen.add(c);
     }
   }
