@@ -1,5 +1,5 @@
+import { type Face, pointOn } from './face.ts';
 import type { CurvedFace } from './fit-arc.ts';
-import type { Face } from './fit-line.ts';
 import type { HeightColumns } from './height-columns.ts';
 
 /** Chords turn by no more than this at a vertex, radians: a curve is drawn in steps below 5°. */
@@ -50,8 +50,7 @@ function chordsOfArc({ centres }: HeightColumns, arc: CurvedFace): Face[] {
 const TIE = 0.06;
 
 /** A short stroke across the start of a chord, that ties a curve to a wall it runs along rather than crosses. */
-export function tieOf({ nx, ny, offset, from }: Face) {
-  const at = (across: number) => [nx * (offset + across) - ny * from, ny * (offset + across) + nx * from];
-  const [[ax, ay], [bx, by]] = [at(-TIE), at(TIE)];
+export function tieOf(chord: Face) {
+  const [[ax, ay], [bx, by]] = [pointOn(chord, chord.from, -TIE), pointOn(chord, chord.from, TIE)];
   return { ax, ay, bx, by };
 }

@@ -1,6 +1,6 @@
 import type { PointCloud } from '../types.ts';
 import { countBins } from './bin-masks.ts';
-import type { Face } from './fit-line.ts';
+import { alongOf, asideOf, type Face, pointOn } from './face.ts';
 import { binAt, columnAt, type HeightColumns, topShare } from './height-columns.ts';
 import type { LocalCeiling } from './local-ceiling.ts';
 
@@ -48,7 +48,7 @@ export function supportAlong(
   // A column is wider than a bit.
   const half = size / STEP / 2 + 0.5;
   for (const c of face.members) {
-    const at = (centres[2 * c + 1] * face.nx - centres[2 * c] * face.ny - from) / STEP;
+    const at = (alongOf(face, centres[2 * c], centres[2 * c + 1]) - from) / STEP;
     for (let k = Math.max(0, Math.floor(at - half)); k <= Math.min(count - 1, Math.floor(at + half)); k++) {
       seen[2 * k] |= masks[2 * c];
       seen[2 * k + 1] |= masks[2 * c + 1];
@@ -58,10 +58,7 @@ export function supportAlong(
   for (let k = 0; k < count; k++) {
     if (seen[2 * k] === 0 && seen[2 * k + 1] === 0) continue;
     const along = from + (k + 0.5) * STEP;
-    const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
-    const [left, right] = [-BESIDE, BESIDE].map((aside) =>
-      ceiling.at(x + aside * face.nx, y + aside * face.ny),
-    );
+    const [left, right] = [-BESIDE, BESIDE].map((aside) => ceiling.at(...pointOn(face, along, aside)));
     shares[k] = standingShare(columns, seen, k, Math.min(left, right));
   }
   const parting = ceilingParting(cloud, columns, face, { from, count });
@@ -76,11 +73,11 @@ export function supportAlong(
 function ceilingParting(
   { positions }: PointCloud,
   columns: HeightColumns,
-  { nx, ny, offset, noise }: Face,
+  face: Face,
   { from, count }: { readonly from: number; readonly count: number },
 ): Float64Array {
   const { size, overPoints, overStart } = columns;
-  const near = Math.max(NEAR, NOISES * noise);
+  const near = Math.max(NEAR, NOISES * face.noise);
   const far = Math.max(THINNEST, near + 0.02);
   const before = new Float64Array(count);
   const behind = new Float64Array(count);
@@ -88,14 +85,13 @@ function ceilingParting(
   for (let k = 0; k < count; k++) {
     const along = from + (k + 0.5) * STEP;
     for (let across = -far; across <= far; across += size / 2) {
-      const [x, y] = [nx * (offset + across) - ny * along, ny * (offset + across) + nx * along];
-      const c = columnAt(columns, x, y);
+      const c = columnAt(columns, ...pointOn(face, along, across));
       if (c < 0 || visited.has(c)) continue;
       visited.add(c);
       for (let p = overStart[c]; p < overStart[c + 1]; p++) {
         const [px, py] = [positions[3 * overPoints[p]], positions[3 * overPoints[p] + 1]];
-        const aside = px * nx + py * ny - offset;
-        const bit = Math.floor((py * nx - px * ny - from) / STEP);
+        const aside = asideOf(face, px, py);
+        const bit = Math.floor((alongOf(face, px, py) - from) / STEP);
         if (bit < 0 || bit >= count || Math.abs(aside) < near || Math.abs(aside) > far) continue;
         if (aside > 0) before[bit]++;
         else behind[bit]++;

@@ -1,7 +1,8 @@
 import type { PointCloud } from '../types.ts';
 import { columnDirections, turnBetween } from './column-directions.ts';
+import { alongOf, asideOf, type Face, type Line, pointOn } from './face.ts';
 import { type CurvedFace, fitArc } from './fit-arc.ts';
-import { type Face, fitLine, type Line } from './fit-line.ts';
+import { fitLine, reachOf } from './fit-line.ts';
 import { growArc } from './grow-arc.ts';
 import { columnAt, type HeightColumns } from './height-columns.ts';
 
@@ -91,7 +92,7 @@ function growLine(walls: WallColumns, seed: number): Line | null {
   const { columns, angle } = walls;
   const { centres, size } = columns;
   const [nx, ny] = [Math.cos(angle[seed]), Math.sin(angle[seed])];
-  const at = centres[2 * seed + 1] * nx - centres[2 * seed] * ny;
+  const at = alongOf({ nx, ny }, centres[2 * seed], centres[2 * seed + 1]);
   let line: Line = {
     nx,
     ny,
@@ -139,19 +140,16 @@ interface Collected {
 function collect(walls: WallColumns, line: Line, along: number, { found, seen }: Collected): boolean {
   const { columns, angle, isFree } = walls;
   const { centres, size } = columns;
-  const { nx, ny, offset } = line;
-  const normal = Math.atan2(ny, nx);
+  const normal = Math.atan2(line.ny, line.nx);
   let isAny = false;
   for (let across = -BAND; across <= BAND; across += size / 2) {
-    const x = nx * (offset + across) - ny * along;
-    const y = ny * (offset + across) + nx * along;
-    const c = columnAt(columns, x, y);
+    const c = columnAt(columns, ...pointOn(line, along, across));
     if (c < 0 || isFree[c] === 0) continue;
     if (seen.has(c)) {
       isAny = true;
       continue;
     }
-    if (Math.abs(centres[2 * c] * nx + centres[2 * c + 1] * ny - offset) > BAND) continue;
+    if (Math.abs(asideOf(line, centres[2 * c], centres[2 * c + 1])) > BAND) continue;
     // Corners and clutter have no direction.
     if (!(turnBetween(angle[c], normal) <= MOST_TURN)) continue;
     seen.add(c);
@@ -162,7 +160,8 @@ function collect(walls: WallColumns, line: Line, along: number, { found, seen }:
 }
 
 /** Line of least squares through columns, by their hits. */
-function throughColumns({ centres, hits, size }: HeightColumns, members: readonly number[]): Line {
+function throughColumns(columns: HeightColumns, members: readonly number[]): Line {
+  const { centres, hits } = columns;
   let [sw, sx, sy] = [0, 0, 0];
   for (const c of members) {
     sw += hits[c];
@@ -179,11 +178,5 @@ function throughColumns({ centres, hits, size }: HeightColumns, members: readonl
   }
   const tangent = 0.5 * Math.atan2(2 * xy, xx - yy);
   const [nx, ny] = [-Math.sin(tangent), Math.cos(tangent)];
-  let [from, to] = [Infinity, -Infinity];
-  for (const c of members) {
-    const along = centres[2 * c + 1] * nx - centres[2 * c] * ny;
-    from = Math.min(from, along);
-    to = Math.max(to, along);
-  }
-  return { nx, ny, offset: mx * nx + my * ny, from: from - size / 2, to: to + size / 2, members };
+  return { nx, ny, offset: mx * nx + my * ny, ...reachOf(columns, members, { nx, ny }), members };
 }

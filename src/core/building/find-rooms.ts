@@ -1,33 +1,23 @@
 import type { PointCloud } from '../types.ts';
 import { type Arrangement, arrange, type Segment } from './arrangement.ts';
 import { chordsOf, tieOf } from './chords.ts';
+import { alongOf, endsOf, type Face } from './face.ts';
 import { type FaceSupport, supportAlong } from './face-support.ts';
 import { findFaces } from './find-faces.ts';
-import type { Face } from './fit-line.ts';
+import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
 import type { HeightColumns } from './height-columns.ts';
-import { labelSpace, type Space } from './label-space.ts';
+import { labelSpace } from './label-space.ts';
 import type { LocalCeiling } from './local-ceiling.ts';
 import { missingBacks } from './missing-backs.ts';
 import { type SeenSpace, seenSpace } from './seen-space.ts';
 import { settleFaces } from './settle-faces.ts';
 import { takenSupport, WALL_SHARE } from './taken-walls.ts';
-import { type RoomFaces, traceRooms } from './trace-rooms.ts';
+import { traceRooms } from './trace-rooms.ts';
 
 /** How far faces are drawn on past their ends to meet others, m: a wall hidden behind a cupboard or two. */
 const REACH = 5;
 /** Faces that stand as walls over less of what was seen of them are furniture or reveals. */
 const LEAST_WALL_SHARE = 0.5;
-
-/** A face, and how far it is drawn on past its ends. */
-export type WallFace = Face & { readonly reach: number };
-
-export interface FoundRooms {
-  readonly faces: readonly WallFace[];
-  readonly arrangement: Arrangement;
-  readonly support: Float64Array;
-  readonly space: Space;
-  readonly rooms: readonly RoomFaces[];
-}
 
 /** The rooms of a storey. */
 export function findRooms(cloud: PointCloud, columns: HeightColumns, ceiling: LocalCeiling): FoundRooms {
@@ -36,12 +26,6 @@ export function findRooms(cloud: PointCloud, columns: HeightColumns, ceiling: Lo
   const first = subdivide(walls, columns, seen);
   const backs = missingBacks(first, columns);
   return backs.faces.length === 0 ? first : subdivide(joined(walls, backs), columns, seen);
-}
-
-/** Faces that stand as walls, with their support. */
-export interface WallFaces {
-  readonly faces: readonly WallFace[];
-  readonly supports: readonly FaceSupport[];
 }
 
 function wallFaces(cloud: PointCloud, columns: HeightColumns, ceiling: LocalCeiling): WallFaces {
@@ -54,6 +38,16 @@ function wallFaces(cloud: PointCloud, columns: HeightColumns, ceiling: LocalCeil
   const curves = chordsOf(columns, curved).map((chords) => chords.map((face) => ({ ...face, reach: 0 })));
   const none: WallFaces = { faces: [], supports: [] };
   return [...lines, ...curves].reduce((all, group) => joined(all, stands(group) ?? none), none);
+}
+
+/** Whether a face stands as a wall where it was seen. */
+function standsAsWall(shares: readonly number[]): boolean {
+  let [wall, any] = [0, 0];
+  for (const share of shares) {
+    if (share > 0) any++;
+    if (share >= WALL_SHARE) wall++;
+  }
+  return wall > 0 && wall >= LEAST_WALL_SHARE * any;
 }
 
 function joined(a: WallFaces, b: WallFaces): WallFaces {
@@ -69,35 +63,23 @@ function subdivide({ faces, supports }: WallFaces, columns: HeightColumns, seen:
   return { faces, arrangement, support, space, rooms: traceRooms(arrangement, space.isRoom, support) };
 }
 
-function segmentOf({ nx, ny, offset, from, to, reach }: WallFace, line: number): Segment {
-  const [a, b] = [from - reach, to + reach];
-  return {
-    ax: nx * offset - ny * a,
-    ay: ny * offset + nx * a,
-    bx: nx * offset - ny * b,
-    by: ny * offset + nx * b,
-    line,
-  };
+function segmentOf(face: WallFace, line: number): Segment {
+  const [[ax, ay], [bx, by]] = endsOf(face, face.reach);
+  return { ax, ay, bx, by, line };
 }
 
-interface Shares {
-  readonly from: number;
-  readonly step: number;
-  readonly shares: Float64Array;
-}
-
+/** Share of wall along each edge: the mean of the best of the faces it lies on. */
 function edgeSupport(
   { x, y, origin, lines }: Arrangement,
   faces: readonly Face[],
-  supports: readonly Shares[],
+  supports: readonly FaceSupport[],
 ): Float64Array {
   return Float64Array.from(lines, (own, e) => {
     const [u, v] = [origin[2 * e], origin[2 * e + 1]];
     let best = 0;
     for (const line of own) {
-      const { nx, ny } = faces[line];
       const { from, step, shares } = supports[line];
-      const ends = [u, v].map((p) => (y[p] * nx - x[p] * ny - from) / step);
+      const ends = [u, v].map((p) => (alongOf(faces[line], x[p], y[p]) - from) / step);
       const [low, high] = [Math.min(...ends), Math.max(...ends)];
       let [sum, count] = [0, 0];
       for (let k = Math.max(0, Math.floor(low)); k <= Math.min(shares.length - 1, Math.floor(high)); k++) {
@@ -108,13 +90,4 @@ function edgeSupport(
     }
     return best;
   });
-}
-/** Whether a face stands as a wall where it was seen. */
-function standsAsWall(shares: readonly number[]): boolean {
-  let [wall, any] = [0, 0];
-  for (const share of shares) {
-    if (share > 0) any++;
-    if (share >= WALL_SHARE) wall++;
-  }
-  return wall > 0 && wall >= LEAST_WALL_SHARE * any;
 }

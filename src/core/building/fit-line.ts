@@ -1,5 +1,6 @@
 import { DEVIATION_BY_MEDIAN, sampledMedian } from '../robust-scale.ts';
 import type { PointCloud } from '../types.ts';
+import { alongOf, type Face, type Line } from './face.ts';
 import type { HeightColumns } from './height-columns.ts';
 
 const FIT_ROUNDS = 4;
@@ -11,25 +12,6 @@ const LEAST_REACH = 0.012;
 const FIRST_NOISE = 0.012;
 /** Smallest deviation told, m: what a made-up cloud without noise has. */
 const LEAST_NOISE = 0.0005;
-
-/** A run of columns in a line: points x with normal · x = offset. */
-export interface Line {
-  readonly nx: number;
-  readonly ny: number;
-  readonly offset: number;
-  /** Reach along (−ny, nx), m. */
-  readonly from: number;
-  readonly to: number;
-  readonly members: readonly number[];
-}
-
-/** A line fitted to points. */
-export interface Face extends Line {
-  /** Standard deviation of its points across it, m. */
-  readonly noise: number;
-  /** Points that the fit rests on. */
-  readonly support: number;
-}
 
 /** The line through the points of a line's columns, by iteratively reweighted least squares with Tukey's biweight ([Beaton74]). O(points). */
 export function fitLine(cloud: PointCloud, columns: HeightColumns, line: Line): Face | null {
@@ -78,13 +60,18 @@ export function fitLine(cloud: PointCloud, columns: HeightColumns, line: Line): 
     noise = Math.max(LEAST_NOISE, DEVIATION_BY_MEDIAN * sampledMedian(rest, support));
   }
   const whole = offset + x0 * nx + y0 * ny;
-  return { ...line, nx, ny, offset: whole, noise, support, ...reachAlong(columns, line, nx, ny) };
+  return { ...line, nx, ny, offset: whole, noise, support, ...reachOf(columns, line.members, { nx, ny }) };
 }
 
-function reachAlong({ centres, size }: HeightColumns, { members }: Line, nx: number, ny: number) {
+/** How far columns reach along a line. */
+export function reachOf(
+  { centres, size }: HeightColumns,
+  members: readonly number[],
+  line: Pick<Line, 'nx' | 'ny'>,
+): Pick<Line, 'from' | 'to'> {
   let [from, to] = [Infinity, -Infinity];
   for (const c of members) {
-    const along = centres[2 * c + 1] * nx - centres[2 * c] * ny;
+    const along = alongOf(line, centres[2 * c], centres[2 * c + 1]);
     from = Math.min(from, along);
     to = Math.max(to, along);
   }

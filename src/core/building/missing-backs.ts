@@ -1,5 +1,6 @@
+import { alongOf, pointOn } from './face.ts';
 import type { FaceSupport } from './face-support.ts';
-import type { FoundRooms, WallFace, WallFaces } from './find-rooms.ts';
+import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
 import { type HeightColumns, hasPlane } from './height-columns.ts';
 import { pairFaces } from './pair-faces.ts';
 import { edgesOf } from './room-edges.ts';
@@ -69,8 +70,9 @@ function sharedStretches({
     const [f, g] = [face[2 * e], face[2 * e + 1]];
     if (f < 0 || g < 0 || space.isRoom[f] === 0 || space.isRoom[g] === 0 || support[e] < WALL_SHARE) continue;
     const line = lines[e][0];
-    const { nx, ny } = faces[line];
-    const ends = [origin[2 * e], origin[2 * e + 1]].map((v) => y[v] * nx - x[v] * ny).sort((a, b) => a - b);
+    const ends = [origin[2 * e], origin[2 * e + 1]]
+      .map((v) => alongOf(faces[line], x[v], y[v]))
+      .sort((a, b) => a - b);
     const known = found.get(line) ?? [];
     known.push([ends[0], ends[1]]);
     found.set(line, known);
@@ -94,21 +96,12 @@ function merged(stretches: [number, number][]): [number, number][] {
 }
 
 /** The side of a face on which nothing was seen: 1, −1, or 0 where both sides or none were. */
-function blindSide(
-  columns: HeightColumns,
-  { nx, ny, offset }: WallFace,
-  from: number,
-  to: number,
-): 1 | -1 | 0 {
+function blindSide(columns: HeightColumns, face: WallFace, from: number, to: number): 1 | -1 | 0 {
   const seen = [1, -1].map((side) => {
     let count = 0;
     for (let along = from + STEP / 2; along < to; along += STEP) {
       for (let across = NEAR; across <= FAR; across += (FAR - NEAR) / 2) {
-        const [x, y] = [
-          nx * (offset + side * across) - ny * along,
-          ny * (offset + side * across) + nx * along,
-        ];
-        if (hasPlane(columns, x, y)) count++;
+        if (hasPlane(columns, ...pointOn(face, along, side * across))) count++;
       }
     }
     return count;

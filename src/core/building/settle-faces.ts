@@ -1,10 +1,13 @@
 import type { PointCloud } from '../types.ts';
 import { turnBetween } from './column-directions.ts';
-import { type Face, fitLine } from './fit-line.ts';
+import { alongOf, asideOf, endsOf, type Face, pointOn } from './face.ts';
+import { fitLine } from './fit-line.ts';
 import type { HeightColumns } from './height-columns.ts';
 
 /** Faces nearer than this to a longer one beside them are its noise or its skirting, m. */
 const SAME_FACE = 0.04;
+/** … unless they turn by more from it, radians. */
+const DOUBLE_TURN = Math.PI / 12;
 /** Faces in one line whose offsets differ by no more than this are one wall, m: a plasterer's tolerance over a room. */
 const SAME_LINE = 0.015;
 /** … and whose directions differ by no more than this, radians. */
@@ -33,25 +36,24 @@ function lengthOf({ from, to }: Face): number {
   return to - from;
 }
 
-/** Place along a face, and beside it, of a point. */
-function project({ nx, ny, offset }: Face, x: number, y: number): readonly [along: number, aside: number] {
-  return [y * nx - x * ny, x * nx + y * ny - offset];
-}
-
-function endsOf({ nx, ny, offset, from, to }: Face): readonly (readonly [number, number])[] {
-  return [from, to].map((t) => [nx * offset - ny * t, ny * offset + nx * t]);
+/** Turn between the directions of two faces, 0 to π/2. */
+function turnOf(a: Face, b: Face): number {
+  return turnBetween(Math.atan2(a.ny, a.nx), Math.atan2(b.ny, b.nx));
 }
 
 function dropDoubles(longest: readonly Face[]): Face[] {
   const kept: Face[] = [];
   for (const face of longest) {
     const isDouble = kept.some((other) => {
-      if (turnBetween(Math.atan2(face.ny, face.nx), Math.atan2(other.ny, other.nx)) > Math.PI / 12)
-        return false;
+      if (turnOf(face, other) > DOUBLE_TURN) return false;
       return endsOf(face).every(([x, y]) => {
-        const [along, aside] = project(other, x, y);
+        const along = alongOf(other, x, y);
         const band = Math.max(SAME_FACE, 3 * other.noise);
-        return Math.abs(aside) <= band && along > other.from - SAME_FACE && along < other.to + SAME_FACE;
+        return (
+          Math.abs(asideOf(other, x, y)) <= band &&
+          along > other.from - SAME_FACE &&
+          along < other.to + SAME_FACE
+        );
       });
     });
     if (!isDouble) kept.push(face);
@@ -74,12 +76,11 @@ function joinAligned(cloud: PointCloud, columns: HeightColumns, faces: readonly 
 }
 
 function areAligned(a: Face, b: Face): boolean {
-  if (turnBetween(Math.atan2(a.ny, a.nx), Math.atan2(b.ny, b.nx)) > SAME_TURN + error(a) + error(b))
-    return false;
-  const [[from], [to]] = endsOf(b).map(([x, y]) => project(a, x, y));
+  if (turnOf(a, b) > SAME_TURN + error(a) + error(b)) return false;
+  const [from, to] = endsOf(b).map((end) => alongOf(a, ...end));
   const gap = Math.max(Math.min(from, to) - a.to, a.from - Math.max(from, to));
   if (gap > LONGEST_GAP) return false;
-  return endsOf(b).every(([x, y]) => Math.abs(project(a, x, y)[1]) <= SAME_LINE + lengthOf(b) * error(b));
+  return endsOf(b).every((end) => Math.abs(asideOf(a, ...end)) <= SAME_LINE + lengthOf(b) * error(b));
 }
 
 /** Standard error of a face's direction, radians. */
@@ -93,9 +94,8 @@ function squareUp(faces: readonly Face[]): Face[] {
   return faces.map((face) => {
     const own = Math.atan2(face.ny, face.nx);
     for (const frame of frames) {
-      const steps = Math.round((own - frame.angle) / (Math.PI / 2));
-      const square = frame.angle + steps * (Math.PI / 2);
-      if (Math.abs(own - square) <= Math.min(MOST_SNAP, ERRORS * (error(face) + frame.error)))
+      const { square, turn } = nearestOf(frame, own);
+      if (Math.abs(turn) <= Math.min(MOST_SNAP, ERRORS * (error(face) + frame.error)))
         return turned(face, square);
     }
     return face;
@@ -109,26 +109,32 @@ interface DirectionFrame {
   readonly weight: number;
 }
 
+/** The nearest to a direction of a frame's four, and the turn to the direction from it, −π/4 to π/4. */
+function nearestOf({ angle }: DirectionFrame, direction: number) {
+  const quarters = Math.round((direction - angle) / (Math.PI / 2)) * (Math.PI / 2);
+  return { square: angle + quarters, turn: direction - angle - quarters };
+}
+
 /** Pairs of square directions that faces agree on, the one with most length first. */
 function dominantFrames(faces: readonly Face[]): DirectionFrame[] {
   const frames: DirectionFrame[] = [];
   for (const face of [...faces].sort((a, b) => error(a) - error(b))) {
     const own = Math.atan2(face.ny, face.nx);
-    const at = frames.findIndex(({ angle, error: e }) => {
-      const off = own - angle;
-      const turn = off - Math.round(off / (Math.PI / 2)) * (Math.PI / 2);
-      return Math.abs(turn) <= ERRORS * (error(face) + e);
-    });
+    const at = frames.findIndex(
+      (frame) => Math.abs(nearestOf(frame, own).turn) <= ERRORS * (error(face) + frame.error),
+    );
     const weight = 1 / error(face) ** 2;
     if (at < 0) {
       frames.push({ angle: own, error: error(face), weight });
       continue;
     }
     const frame = frames[at];
-    const off = own - frame.angle;
-    const turn = off - Math.round(off / (Math.PI / 2)) * (Math.PI / 2);
     const sum = frame.weight + weight;
-    frames[at] = { angle: frame.angle + (turn * weight) / sum, error: 1 / Math.sqrt(sum), weight: sum };
+    frames[at] = {
+      angle: frame.angle + (nearestOf(frame, own).turn * weight) / sum,
+      error: 1 / Math.sqrt(sum),
+      weight: sum,
+    };
   }
   return frames.sort((a, b) => b.weight - a.weight);
 }
@@ -136,9 +142,9 @@ function dominantFrames(faces: readonly Face[]): DirectionFrame[] {
 /** The face turned about the middle of its reach. */
 function turned(face: Face, angle: number): Face {
   const middle = (face.from + face.to) / 2;
-  const [x, y] = [face.nx * face.offset - face.ny * middle, face.ny * face.offset + face.nx * middle];
+  const [x, y] = pointOn(face, middle);
   const [nx, ny] = [Math.cos(angle), Math.sin(angle)];
-  const along = y * nx - x * ny;
+  const along = alongOf({ nx, ny }, x, y);
   const half = (face.to - face.from) / 2;
   return { ...face, nx, ny, offset: x * nx + y * ny, from: along - half, to: along + half };
 }

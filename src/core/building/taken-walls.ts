@@ -1,5 +1,5 @@
+import { alongOf, asideOf, type Face, pointOn } from './face.ts';
 import type { FaceSupport } from './face-support.ts';
-import type { Face } from './fit-line.ts';
 import type { SeenSpace } from './seen-space.ts';
 
 /** A share of wall that counts as one. */
@@ -28,6 +28,7 @@ const JUST_BEYOND = 0.1;
 const ROOM_SHARE = 0.4;
 /** A niche is no deeper than this, m: deeper ones are rooms. */
 const DEEPEST_NICHE = 0.75;
+
 /**
  * Support of faces with what no point shows but the building tells: a wall goes on behind furniture, over a passage, and where
  * its other face was seen.
@@ -87,15 +88,12 @@ function backedStretches({ faces, supports, i, others, side }: Backing): BackedB
   for (let k = 0; k < shares.length; k++) {
     if (shares[k] >= WALL_SHARE) continue;
     const along = from + (k + 0.5) * step;
-    const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
+    const [x, y] = pointOn(face, along);
     let [nearest, least] = [-1, THICKEST_WALL];
     for (const j of others) {
       const other = faces[j];
-      const aside =
-        side *
-        (other.offset - x * other.nx - y * other.ny) *
-        Math.sign(face.nx * other.nx + face.ny * other.ny);
-      if (aside <= 0 || aside >= least || !wallAt(supports[j], y * other.nx - x * other.ny)) continue;
+      const aside = -side * asideOf(other, x, y) * Math.sign(face.nx * other.nx + face.ny * other.ny);
+      if (aside <= 0 || aside >= least || !wallAt(supports[j], alongOf(other, x, y))) continue;
       [nearest, least] = [j, aside];
     }
     if (nearest < 0 || least < THINNEST_WALL) continue;
@@ -108,11 +106,10 @@ function backedStretches({ faces, supports, i, others, side }: Backing): BackedB
 }
 
 /** Whether there is a wall between a face and the one behind it: nothing seen between them, but room behind. */
-function hidesAWall({ nx, ny, offset }: Face, stretch: readonly BackedBit[], seen: SeenSpace): boolean {
+function hidesAWall(face: Face, stretch: readonly BackedBit[], seen: SeenSpace): boolean {
   let [open, beyond] = [0, 0];
   for (const { along, aside } of stretch) {
-    const at = (across: number) =>
-      seen.at(nx * (offset + across) - ny * along, ny * (offset + across) + nx * along);
+    const at = (across: number) => seen.at(...pointOn(face, along, across));
     if (at(aside / 2)) open++;
     if (at(aside + Math.sign(aside) * JUST_BEYOND)) beyond++;
   }
@@ -156,7 +153,7 @@ function isOpen(face: Face, begin: number, end: number, seen: SeenSpace): boolea
   let [open, count] = [0, 0];
   for (let along = begin + 0.05; along < end; along += 0.1) {
     count++;
-    if (seen.at(face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along)) open++;
+    if (seen.at(...pointOn(face, along))) open++;
   }
   return open > count / 2;
 }
@@ -176,10 +173,9 @@ function isPassage({ faces, own, i, begin, end }: GapPlace): boolean {
     if (i === j || !isParallel(face, other)) return false;
     let [behind, count] = [0, 0];
     for (let along = begin + 0.05; along < end; along += 0.1) {
-      const [x, y] = [face.nx * face.offset - face.ny * along, face.ny * face.offset + face.nx * along];
-      const aside = Math.abs(x * other.nx + y * other.ny - other.offset);
+      const [x, y] = pointOn(face, along);
       count++;
-      if (aside < DEEPEST_NICHE && wallAt(own[j], y * other.nx - x * other.ny)) behind++;
+      if (Math.abs(asideOf(other, x, y)) < DEEPEST_NICHE && wallAt(own[j], alongOf(other, x, y))) behind++;
     }
     return behind > count / 2;
   });
@@ -198,9 +194,9 @@ function passesBy(
     if (Math.abs(sine) < 0.5) return false;
     const x = (face.offset * other.ny - other.offset * face.ny) / sine;
     const y = (face.nx * other.offset - other.nx * face.offset) / sine;
-    if (Math.abs(y * face.nx - x * face.ny - along) > NEAR_END) return false;
+    if (Math.abs(alongOf(face, x, y) - along) > NEAR_END) return false;
     const [px, py] = [x + side * PASSING * face.nx, y + side * PASSING * face.ny];
-    return wallAt(own[j], py * other.nx - px * other.ny);
+    return wallAt(own[j], alongOf(other, px, py));
   });
 }
 

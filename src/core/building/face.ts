@@ -1,0 +1,41 @@
+/** A run of columns in a line: points x with normal · x = offset. */
+export interface Line {
+  readonly nx: number;
+  readonly ny: number;
+  readonly offset: number;
+  /** Reach along (−ny, nx), m. */
+  readonly from: number;
+  readonly to: number;
+  readonly members: readonly number[];
+}
+
+/** A line fitted to points. */
+export interface Face extends Line {
+  /** Standard deviation of its points across it, m. */
+  readonly noise: number;
+  /** Points that the fit rests on. */
+  readonly support: number;
+}
+
+type Place = readonly [x: number, y: number];
+type Straight = Pick<Line, 'nx' | 'ny' | 'offset'>;
+
+/** The point at a place along a line, `across` off it on the side of its normal, m. */
+export function pointOn({ nx, ny, offset }: Straight, along: number, across = 0): Place {
+  return [nx * (offset + across) - ny * along, ny * (offset + across) + nx * along];
+}
+
+/** Where along a line a point is, m. */
+export function alongOf({ nx, ny }: Pick<Line, 'nx' | 'ny'>, x: number, y: number): number {
+  return y * nx - x * ny;
+}
+
+/** How far off a line a point is, m, on the side of its normal. */
+export function asideOf({ nx, ny, offset }: Straight, x: number, y: number): number {
+  return x * nx + y * ny - offset;
+}
+
+/** Its two ends, that `from` first, drawn on by `reach` past each, m. */
+export function endsOf(line: Line, reach = 0): readonly [Place, Place] {
+  return [pointOn(line, line.from - reach), pointOn(line, line.to + reach)];
+}
