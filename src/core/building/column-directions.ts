@@ -1,3 +1,4 @@
+import { Moments } from '../geometry/moments.ts';
 import type { HeightColumns } from './height-columns.ts';
 
 /** Reach of the look around a column, m: the side of a slender column is about that long. */
@@ -96,21 +97,15 @@ class Neighbours {
   }
 
   #mainAxis(direction: number) {
-    let [filled, sw, sx, sy, xx, xy, yy] = [0, 0, 0, 0, 0, 0, 0];
+    const moments = new Moments();
+    let filled = 0;
     for (let i = 0; i < this.#found; i++) {
       if (this.#across(i, direction) >= 1.5 * HALF_WIDTH) continue;
-      const [x, y, w] = [this.#dx[i], this.#dy[i], this.#weight[i]];
+      moments.add(this.#dx[i], this.#dy[i], this.#weight[i]);
       filled++;
-      sw += w;
-      sx += w * x;
-      sy += w * y;
-      xx += w * x * x;
-      xy += w * x * y;
-      yy += w * y * y;
     }
-    const [mx, my] = [sx / sw, sy / sw];
-    const tangent = 0.5 * Math.atan2(2 * (xy / sw - mx * my), xx / sw - mx * mx - (yy / sw - my * my));
-    return { normal: (tangent + 1.5 * Math.PI) % Math.PI, filled };
+    const { angle } = moments.spread();
+    return { normal: (angle + 1.5 * Math.PI) % Math.PI, filled };
   }
 }
 

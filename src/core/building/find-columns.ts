@@ -4,6 +4,7 @@ import { completeShell } from '../secondary/complete-shell.ts';
 import { distanceToRing } from '../secondary/structure.ts';
 import type { PointCloud, Polygon, Ring, SecondaryBoundary } from '../types.ts';
 import { hasBin } from './bin-masks.ts';
+import { connectedColumns } from './connected-columns.ts';
 import { type HeightColumns, topShare } from './height-columns.ts';
 import type { LocalCeiling } from './local-ceiling.ts';
 
@@ -18,6 +19,8 @@ const LEAST_HITS = 0.3;
 /** Fewest columns, and area, m², of the grid that make one. */
 const FEWEST = 3;
 const SMALLEST = 0.01;
+/** Columns this many apart are one structure's. */
+const HANDS = 3;
 /** Larger ones are shafts and cores, m². */
 const LARGEST_COLUMN = 1.5;
 const LARGEST = 12;
@@ -58,24 +61,11 @@ function insideRooms({ centres }: HeightColumns, c: number, rooms: readonly Poly
 }
 
 /** Columns that touch, or nearly. */
-function groupsOf({ table }: HeightColumns, members: readonly number[]): number[][] {
+function groupsOf(columns: HeightColumns, members: readonly number[]): number[][] {
   const open = new Set(members);
-  const groups: number[][] = [];
-  for (const seed of members) {
-    if (!open.delete(seed)) continue;
-    const group = [seed];
-    for (let k = 0; k < group.length; k++) {
-      const [ix, iy] = table.coordinatesOf(group[k]);
-      for (let dy = -3; dy <= 3; dy++) {
-        for (let dx = -3; dx <= 3; dx++) {
-          const c = table.find(ix + dx, iy + dy, 0);
-          if (c >= 0 && open.delete(c)) group.push(c);
-        }
-      }
-    }
-    groups.push(group);
-  }
-  return groups;
+  return members.flatMap((first) =>
+    open.delete(first) ? [connectedColumns(columns, first, HANDS, (c) => open.delete(c))] : [],
+  );
 }
 
 function structureOf(

@@ -1,20 +1,9 @@
-import { DEVIATION_BY_MEDIAN, sampledMedian } from '../robust-scale.ts';
+import type { Circle } from '../geometry/circle.ts';
 import type { PointCloud } from '../types.ts';
+import { biweight, FIRST_NOISE, noiseOf, reachOfNoise } from './biweight.ts';
 import type { HeightColumns } from './height-columns.ts';
 
 const FIT_ROUNDS = 8;
-/** Tukey's biweight: residuals past so many deviations count nothing, but those within LEAST_REACH, m, do. */
-const TUKEY = 4;
-const LEAST_REACH = 0.012;
-const FIRST_NOISE = 0.012;
-const LEAST_NOISE = 0.0005;
-
-/** A circle in the plan, m. */
-export interface Circle {
-  readonly cx: number;
-  readonly cy: number;
-  readonly radius: number;
-}
 
 /** A run of columns along a circle; angles counter-clockwise, radians, `from` < `to`. */
 export interface Arc extends Circle {
@@ -29,37 +18,6 @@ export interface CurvedFace extends Arc {
   readonly noise: number;
 }
 
-/** Circle of least squares of squared distances through weighted points ([Kåsa76]); null where they lie in a line. */
-export function circleThrough(
-  xs: ArrayLike<number>,
-  ys: ArrayLike<number>,
-  ws: ArrayLike<number>,
-): Circle | null {
-  let [sw, mx, my] = [0, 0, 0];
-  for (let i = 0; i < xs.length; i++) {
-    sw += ws[i];
-    mx += ws[i] * xs[i];
-    my += ws[i] * ys[i];
-  }
-  mx /= sw;
-  my /= sw;
-  let [xx, xy, yy, xq, yq, q] = [0, 0, 0, 0, 0, 0];
-  for (let i = 0; i < xs.length; i++) {
-    const [x, y, w] = [xs[i] - mx, ys[i] - my, ws[i]];
-    const s = x * x + y * y;
-    xx += w * x * x;
-    xy += w * x * y;
-    yy += w * y * y;
-    xq += w * x * s;
-    yq += w * y * s;
-    q += w * s;
-  }
-  const determinant = xx * yy - xy * xy;
-  if (!(determinant > 1e-9 * (xx + yy) ** 2)) return null;
-  const [cx, cy] = [(xq * yy - yq * xy) / (2 * determinant), (yq * xx - xq * xy) / (2 * determinant)];
-  return { cx: cx + mx, cy: cy + my, radius: Math.sqrt(cx * cx + cy * cy + q / sw) };
-}
-
 /** The circle through the points of an arc's columns, by Gauss-Newton steps with Tukey's biweight. O(points). */
 export function fitArc(cloud: PointCloud, { points, start }: HeightColumns, arc: Arc): CurvedFace | null {
   const { positions } = cloud;
@@ -69,7 +27,7 @@ export function fitArc(cloud: PointCloud, { points, start }: HeightColumns, arc:
   for (const c of arc.members) size += start[c + 1] - start[c];
   const rest = new Float64Array(size);
   for (let round = 0; round < FIT_ROUNDS; round++) {
-    const reach = Math.max(LEAST_REACH, TUKEY * noise);
+    const reach = reachOfNoise(noise);
     const normal = new Float64Array(9);
     let count = 0;
     for (const c of arc.members) {
@@ -79,8 +37,7 @@ export function fitArc(cloud: PointCloud, { points, start }: HeightColumns, arc:
         const residual = distance - radius;
         if (Math.abs(residual) >= reach) continue;
         rest[count++] = Math.abs(residual);
-        const w = (1 - (residual / reach) ** 2) ** 2;
-        accumulate(normal, dx / distance, dy / distance, residual, w);
+        accumulate(normal, dx / distance, dy / distance, residual, biweight(residual / reach));
       }
     }
     const step = count > 10 ? solve(normal) : null;
@@ -88,7 +45,7 @@ export function fitArc(cloud: PointCloud, { points, start }: HeightColumns, arc:
     cx += step[0];
     cy += step[1];
     radius += step[2];
-    noise = Math.max(LEAST_NOISE, DEVIATION_BY_MEDIAN * sampledMedian(rest, count));
+    noise = noiseOf(rest, count);
   }
   return { ...arc, cx, cy, radius, noise };
 }

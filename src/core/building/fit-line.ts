@@ -1,66 +1,66 @@
-import { DEVIATION_BY_MEDIAN, sampledMedian } from '../robust-scale.ts';
+import { Moments } from '../geometry/moments.ts';
 import type { PointCloud } from '../types.ts';
-import { alongOf, type Face, type Line } from './face.ts';
+import { biweight, FIRST_NOISE, noiseOf, reachOfNoise } from './biweight.ts';
+import { alongOf, asideOf, type Face, type Line, pointOn } from './face.ts';
 import type { HeightColumns } from './height-columns.ts';
 
 const FIT_ROUNDS = 4;
-/** Tukey's biweight: residuals past so many deviations count nothing … */
-const TUKEY = 4;
-/** … but those within this always do, m: half the step between a wall and its skirting. */
-const LEAST_REACH = 0.012;
-/** Deviation to start with, m. */
-const FIRST_NOISE = 0.012;
-/** Smallest deviation told, m: what a made-up cloud without noise has. */
-const LEAST_NOISE = 0.0005;
-
 /** The line through the points of a line's columns, by iteratively reweighted least squares with Tukey's biweight ([Beaton74]). O(points). */
 export function fitLine(cloud: PointCloud, columns: HeightColumns, line: Line): Face | null {
-  const { positions } = cloud;
-  const { points, start } = columns;
-  const [x0, y0] = [line.nx * line.offset, line.ny * line.offset];
-  let size = 0;
-  for (const c of line.members) size += start[c + 1] - start[c];
-  const xs = new Float64Array(size);
-  const ys = new Float64Array(size);
-  let n = 0;
-  for (const c of line.members) {
-    for (let k = start[c]; k < start[c + 1]; k++, n++) {
-      xs[n] = positions[3 * points[k]] - x0;
-      ys[n] = positions[3 * points[k] + 1] - y0;
-    }
-  }
-  let [nx, ny, offset, noise] = [line.nx, line.ny, 0, FIRST_NOISE];
-  const rest = new Float64Array(size);
-  let support = 0;
+  const origin = pointOn(line, 0);
+  const xy = pointsOf(cloud, columns, line.members, origin);
+  let fit: Fit | null = { nx: line.nx, ny: line.ny, offset: 0, noise: FIRST_NOISE, support: 0 };
+  const rest = new Float64Array(xy.length / 2);
   for (let round = 0; round < FIT_ROUNDS; round++) {
-    const reach = Math.max(LEAST_REACH, TUKEY * noise);
-    let [sw, sx, sy, xx, xy, yy] = [0, 0, 0, 0, 0, 0];
-    for (let i = 0; i < n; i++) {
-      const share = (xs[i] * nx + ys[i] * ny - offset) / reach;
-      if (share >= 1 || share <= -1) continue;
-      const w = (1 - share * share) ** 2;
-      sw += w;
-      sx += w * xs[i];
-      sy += w * ys[i];
-      xx += w * xs[i] * xs[i];
-      xy += w * xs[i] * ys[i];
-      yy += w * ys[i] * ys[i];
-    }
-    if (sw === 0) return null;
-    const [mx, my] = [sx / sw, sy / sw];
-    const tangent = 0.5 * Math.atan2(2 * (xy / sw - mx * my), xx / sw - mx * mx - (yy / sw - my * my));
-    const sign = -Math.sin(tangent) * nx + Math.cos(tangent) * ny < 0 ? -1 : 1;
-    [nx, ny] = [-sign * Math.sin(tangent), sign * Math.cos(tangent)];
-    offset = mx * nx + my * ny;
-    support = 0;
-    for (let i = 0; i < n; i++) {
-      const residual = Math.abs(xs[i] * nx + ys[i] * ny - offset);
-      if (residual < reach) rest[support++] = residual;
-    }
-    noise = Math.max(LEAST_NOISE, DEVIATION_BY_MEDIAN * sampledMedian(rest, support));
+    fit = refit(xy, fit, rest);
+    if (fit === null) return null;
   }
-  const whole = offset + x0 * nx + y0 * ny;
-  return { ...line, nx, ny, offset: whole, noise, support, ...reachOf(columns, line.members, { nx, ny }) };
+  const { nx, ny, noise, support } = fit;
+  const offset = fit.offset + origin[0] * nx + origin[1] * ny;
+  return { ...line, nx, ny, offset, noise, support, ...reachOf(columns, line.members, fit) };
+}
+
+/** The points of columns, x, y each, told from an origin, m. */
+function pointsOf(
+  { positions }: PointCloud,
+  { points, start }: HeightColumns,
+  members: readonly number[],
+  [x0, y0]: readonly [x: number, y: number],
+): Float64Array {
+  let size = 0;
+  for (const c of members) size += start[c + 1] - start[c];
+  const xy = new Float64Array(2 * size);
+  let n = 0;
+  for (const c of members) {
+    for (let k = start[c]; k < start[c + 1]; k++) {
+      xy[n++] = positions[3 * points[k]] - x0;
+      xy[n++] = positions[3 * points[k] + 1] - y0;
+    }
+  }
+  return xy;
+}
+
+type Fit = Omit<Face, 'from' | 'to' | 'members'>;
+
+/** One round: the line of total least squares, points weighted by their distance to the line before. */
+function refit(xy: Float64Array, before: Fit, rest: Float64Array): Fit | null {
+  const reach = reachOfNoise(before.noise);
+  const moments = new Moments();
+  for (let i = 0; i < xy.length; i += 2) {
+    const share = asideOf(before, xy[i], xy[i + 1]) / reach;
+    if (share < 1 && share > -1) moments.add(xy[i], xy[i + 1], biweight(share));
+  }
+  if (moments.weight === 0) return null;
+  const { x, y, angle } = moments.spread();
+  const sign = -Math.sin(angle) * before.nx + Math.cos(angle) * before.ny < 0 ? -1 : 1;
+  const [nx, ny] = [-sign * Math.sin(angle), sign * Math.cos(angle)];
+  const line = { nx, ny, offset: x * nx + y * ny };
+  let support = 0;
+  for (let i = 0; i < xy.length; i += 2) {
+    const residual = Math.abs(asideOf(line, xy[i], xy[i + 1]));
+    if (residual < reach) rest[support++] = residual;
+  }
+  return { ...line, noise: noiseOf(rest, support), support };
 }
 
 /** How far columns reach along a line. */

@@ -1,5 +1,6 @@
 import { perimeter, signedArea } from '../geometry/rings.ts';
 import type { Polygon, Ring } from '../types.ts';
+import { rootOf, separateSets, unite } from '../union-find.ts';
 import type { Arrangement } from './arrangement.ts';
 import { cleanRing } from './clean-ring.ts';
 
@@ -40,21 +41,14 @@ export function traceRooms(arrangement: Arrangement, isRoom: Uint8Array, support
   });
 }
 
+/** Number of the first face of the group each room face is in; −1 for what is no room. */
 function groupFaces({ face }: Arrangement, isRoom: Uint8Array, support: Float64Array): Int32Array {
-  const parent = Int32Array.from(isRoom.keys());
-  const find = (f: number): number => {
-    let root = f;
-    while (parent[root] !== root) root = parent[root];
-    while (parent[f] !== root) [parent[f], f] = [root, parent[f]];
-    return root;
-  };
+  const sets = separateSets(isRoom.length);
   for (let e = 0; e < support.length; e++) {
     const [f, g] = [face[2 * e], face[2 * e + 1]];
-    if (f < 0 || g < 0 || !isRoom[f] || !isRoom[g] || support[e] >= PARTING) continue;
-    const [a, b] = [find(f), find(g)];
-    parent[Math.max(a, b)] = Math.min(a, b);
+    if (f >= 0 && g >= 0 && isRoom[f] && isRoom[g] && support[e] < PARTING) unite(sets, f, g);
   }
-  return Int32Array.from(isRoom, (room, f) => (room ? find(f) : -1));
+  return Int32Array.from(isRoom, (room, f) => (room ? rootOf(sets, f) : -1));
 }
 
 /** Rings around the faces of a group, straight stretches in one piece. */

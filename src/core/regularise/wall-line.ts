@@ -1,3 +1,4 @@
+import { Moments } from '../geometry/moments.ts';
 import { firstFace } from './face-offset.ts';
 import type { Strip, StripPoints } from './strip-points.ts';
 
@@ -77,35 +78,24 @@ interface Limits {
 /** One round: weights by the distance to the line before, then total least squares. */
 function refit(points: StripPoints, before: Fit, { cutoff, end, leastExtent }: Limits): Fit | null {
   const [cos, sin] = [Math.cos(before.angle), Math.sin(before.angle)];
-  let [count, sum, sumA, sumB, sumAA, sumAB, sumBB] = [0, 0, 0, 0, 0, 0, 0];
+  const moments = new Moments();
+  let count = 0;
   let [first, last] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (let k = 0; k < points.size; k++) {
     const a = points.along[k] - before.along;
     const b = points.across[k] - before.across;
     const distance = (b * cos - a * sin) / cutoff;
     if (distance <= -1 || distance >= 1 || points.across[k] > end) continue;
-    const weight = (1 - distance * distance) ** 2;
+    moments.add(a, b, (1 - distance * distance) ** 2);
     count++;
-    sum += weight;
-    sumA += weight * a;
-    sumB += weight * b;
-    sumAA += weight * a * a;
-    sumAB += weight * a * b;
-    sumBB += weight * b * b;
     if (a < first) first = a;
     if (a > last) last = a;
   }
   if (count < FEWEST_POINTS || last - first < leastExtent) return null;
-  const [meanA, meanB] = [sumA / sum, sumB / sum];
-  const aa = sumAA / sum - meanA * meanA;
-  const ab = sumAB / sum - meanA * meanB;
-  const bb = sumBB / sum - meanB * meanB;
-  const angle = Math.atan2(2 * ab, aa - bb) / 2;
+  const { x, y, angle, variance } = moments.spread();
   if (Math.abs(angle) > Math.PI / 4) return null;
-  // The smaller eigenvalue; rounding may take it below 0.
-  const variance = Math.max(0, (aa + bb - Math.hypot(aa - bb, 2 * ab)) / 2);
   const deviation = Math.sqrt(variance) / WEIGHTED_DEVIATION;
-  return { along: before.along + meanA, across: before.across + meanB, angle, deviation };
+  return { along: before.along + x, across: before.across + y, angle, deviation };
 }
 
 function inPlan({ along, across, angle, deviation }: Fit, { x, y, ux, uy }: Strip): WallLine {

@@ -1,3 +1,4 @@
+import { circleThrough } from '../geometry/circle.ts';
 import { convexHull } from '../geometry/convex-hull.ts';
 import type { Ring } from '../types.ts';
 import { type Box, boxesAround } from './hull-boxes.ts';
@@ -26,14 +27,14 @@ export function completeShell(xy: Float64Array): Ring | null {
 }
 
 function wholeCircle(xy: Float64Array): Ring | null {
-  const circle = fitCircle(xy);
+  const circle = circleThrough(xy);
   if (!circle) return null;
-  const { x, y, radius } = circle;
+  const { cx, cy, radius } = circle;
   const isSeen = new Uint8Array(ARC_BINS);
   let squares = 0;
   for (let i = 0; i < xy.length; i += 2) {
-    squares += (Math.hypot(xy[i] - x, xy[i + 1] - y) - radius) ** 2;
-    const turn = Math.atan2(xy[i + 1] - y, xy[i] - x) / (2 * Math.PI) + 0.5;
+    squares += (Math.hypot(xy[i] - cx, xy[i + 1] - cy) - radius) ** 2;
+    const turn = Math.atan2(xy[i + 1] - cy, xy[i] - cx) / (2 * Math.PI) + 0.5;
     isSeen[Math.min(ARC_BINS - 1, Math.floor(turn * ARC_BINS))] = 1;
   }
   const arc = isSeen.reduce((sum, seen) => sum + seen, 0) / ARC_BINS;
@@ -41,36 +42,10 @@ function wholeCircle(xy: Float64Array): Ring | null {
   const ring = new Float64Array(2 * CIRCLE_VERTICES);
   for (let k = 0; k < CIRCLE_VERTICES; k++) {
     const angle = (2 * Math.PI * k) / CIRCLE_VERTICES;
-    ring[2 * k] = x + radius * Math.cos(angle);
-    ring[2 * k + 1] = y + radius * Math.sin(angle);
+    ring[2 * k] = cx + radius * Math.cos(angle);
+    ring[2 * k + 1] = cy + radius * Math.sin(angle);
   }
   return ring;
-}
-
-/** x² + y² + a·x + b·y + c = 0 by least squares, about the mean of the points. */
-function fitCircle(xy: Float64Array): { x: number; y: number; radius: number } | null {
-  const n = xy.length / 2;
-  let [mx, my] = [0, 0];
-  for (let i = 0; i < xy.length; i += 2) {
-    mx += xy[i] / n;
-    my += xy[i + 1] / n;
-  }
-  let [uu, uv, vv, uw, vw, w] = [0, 0, 0, 0, 0, 0];
-  for (let i = 0; i < xy.length; i += 2) {
-    const [u, v] = [xy[i] - mx, xy[i + 1] - my];
-    const square = u * u + v * v;
-    uu += u * u;
-    uv += u * v;
-    vv += v * v;
-    uw += u * square;
-    vw += v * square;
-    w += square;
-  }
-  const determinant = uu * vv - uv * uv;
-  if (determinant <= Number.EPSILON * uu * vv) return null;
-  const x = (uw * vv - vw * uv) / (2 * determinant);
-  const y = (vw * uu - uw * uv) / (2 * determinant);
-  return { x: mx + x, y: my + y, radius: Math.sqrt(x * x + y * y + w / n) };
 }
 
 function wholeRectangle(xy: Float64Array, hull: Ring): Ring | null {

@@ -1,8 +1,9 @@
 import { expect, it } from 'vitest';
 import { seededRandom } from '../../../../fixtures/simulator/random.ts';
-import { circleThrough, fitArc } from '../../../../src/core/building/fit-arc.ts';
+import { fitArc } from '../../../../src/core/building/fit-arc.ts';
 import { fitLine } from '../../../../src/core/building/fit-line.ts';
 import { type HeightColumns, heightColumns } from '../../../../src/core/building/height-columns.ts';
+import { circleThrough } from '../../../../src/core/geometry/circle.ts';
 import type { PointCloud } from '../../../../src/core/types.ts';
 import { UPRIGHT_FRAME } from '../made-scan.ts';
 
@@ -78,9 +79,9 @@ it('an arc has the radius of its wall', () => {
 });
 
 it('three points lie on one circle, and points of a line on none', () => {
-  const circle = circleThrough([1, 0, -1], [0, 1, 0], [1, 1, 1])!;
+  const circle = circleThrough([1, 0, 0, 1, -1, 0], [1, 1, 1])!;
   expect(circle.cx).toBeCloseTo(0, 12);
   expect(circle.cy).toBeCloseTo(0, 12);
   expect(circle.radius).toBeCloseTo(1, 12);
-  expect(circleThrough([0, 1, 2], [0, 1, 2], [1, 1, 1])).toBeNull();
+  expect(circleThrough([0, 0, 1, 1, 2, 2], [1, 1, 1])).toBeNull();
 });
