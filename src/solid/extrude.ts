@@ -1,5 +1,5 @@
 import earcut from 'earcut';
-import { STEPS_PER_METRE } from '../core/geometry/areas.ts';
+import { STEPS_PER_METRE } from '../core/geometry/clip-grid.ts';
 import type { Polygon, Ring } from '../core/types.ts';
 import { closeTJunctions } from './t-junctions.ts';
 import type { TriangleMesh } from './triangle-mesh.ts';

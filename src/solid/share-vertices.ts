@@ -1,4 +1,4 @@
-import { STEPS_PER_METRE } from '../core/geometry/areas.ts';
+import { STEPS_PER_METRE } from '../core/geometry/clip-grid.ts';
 import type { Polygon, Ring } from '../core/types.ts';
 
 /**

@@ -1,26 +1,13 @@
-import {
-  Clipper64,
-  ClipperOffset,
-  ClipType,
-  EndType,
-  FillRule,
-  JoinType,
-  type Path64,
-  type Paths64,
-} from 'clipper2-ts';
-import type { Polygon, Ring } from '../types.ts';
+import { Clipper64, ClipType, FillRule, type Paths64 } from 'clipper2-ts';
+import type { Polygon } from '../types.ts';
+import { ClipGrid, offsetPaths, STEPS_PER_METRE } from './clip-grid.ts';
 import { nestPaths } from './nest-paths.ts';
-import { orientRing, perimeter, polygonArea, signedArea } from './rings.ts';
+import { orientRing, polygonArea } from './rings.ts';
 
-/** Grid of the Booleans: steps of a micrometre, so lengths given in decimals come back digit for digit. */
-export const STEPS_PER_METRE = 1e6;
-/** A ring thinner than this on average is debris of rounding, not a shape. */
+/** A ring thinner than this on average, m, is debris of rounding. */
 const DEBRIS_WIDTH = 4 / STEPS_PER_METRE;
 /** Corners of grown areas are mitred up to this many distances away, which takes angles down to 30°; sharper ones are squared. */
 const MITRE_LIMIT = 4;
-
-/** Whole metres that are subtracted before rounding. */
-type Origin = readonly [x: number, y: number];
 
 type PlanarOperation = 'union' | 'difference' | 'intersection';
 
@@ -47,14 +34,14 @@ export function combine(
 ): Polygon[] {
   const first = subject[0]?.outer ?? clip[0]?.outer;
   if (first === undefined) return [];
-  const origin: Origin = [Math.round(first[0]), Math.round(first[1])];
+  const grid = new ClipGrid(first, { debris: DEBRIS_WIDTH });
   const clipper = new Clipper64();
   clipper.preserveCollinear = false;
-  clipper.addSubject(toPaths(subject, origin));
-  if (clip.length > 0) clipper.addClip(toPaths(clip, origin));
+  clipper.addSubject(toPaths(subject, grid));
+  if (clip.length > 0) clipper.addClip(toPaths(clip, grid));
   const paths: Paths64 = [];
   clipper.execute(CLIP_TYPES[operation], FillRule.Positive, paths);
-  return nestPaths(paths, (path, turn) => toRing(path, origin, turn));
+  return nestPaths(paths, (path, turn) => grid.toRing(path, turn));
 }
 
 /**
@@ -65,12 +52,9 @@ export function combine(
 export function grow(polygons: readonly Polygon[], distance: number): Polygon[] {
   const whole = combine('union', polygons);
   if (whole.length === 0) return [];
-  const origin: Origin = [Math.round(whole[0].outer[0]), Math.round(whole[0].outer[1])];
-  const offset = new ClipperOffset(MITRE_LIMIT);
-  offset.addPaths(toPaths(whole, origin), JoinType.Miter, EndType.Polygon);
-  const paths: Paths64 = [];
-  offset.execute(distance * STEPS_PER_METRE, paths);
-  return nestPaths(paths, (path, turn) => toRing(path, origin, turn));
+  const grid = new ClipGrid(whole[0].outer, { debris: DEBRIS_WIDTH });
+  const paths = offsetPaths(toPaths(whole, grid), distance, MITRE_LIMIT);
+  return nestPaths(paths, (path, turn) => grid.toRing(path, turn));
 }
 
 /** Area of polygons that do not overlap, m². */
@@ -78,33 +62,10 @@ export function areaOf(polygons: readonly Polygon[]): number {
   return polygons.reduce((sum, polygon) => sum + polygonArea(polygon), 0);
 }
 
-function toPaths(polygons: readonly Polygon[], origin: Origin): Paths64 {
-  const paths: Paths64 = [];
-  const add = (ring: Ring, turn: 'counter-clockwise' | 'clockwise') => {
-    // Filled is what winds more often counter-clockwise than clockwise.
-    const turned = orientRing(ring, turn);
-    const path: Path64 = [];
-    for (let i = 0; i < turned.length; i += 2) {
-      path.push({ x: toSteps(turned[i], origin[0]), y: toSteps(turned[i + 1], origin[1]) });
-    }
-    paths.push(path);
-  };
-  for (const { outer, holes } of polygons) {
-    add(outer, 'counter-clockwise');
-    for (const hole of holes) add(hole, 'clockwise');
-  }
-  return paths;
-}
-
-const toSteps = (metres: number, origin: number): number => Math.round((metres - origin) * STEPS_PER_METRE);
-/** One division, so the result is the double nearest to the decimal. */
-const toMetres = (steps: number, origin: number): number =>
-  (origin * STEPS_PER_METRE + steps) / STEPS_PER_METRE;
-
-function toRing(path: Path64, origin: Origin, turn: 'counter-clockwise' | 'clockwise'): Ring | null {
-  const ring = Float64Array.from(
-    path.flatMap(({ x, y }) => [toMetres(x, origin[0]), toMetres(y, origin[1])]),
-  );
-  const isDebris = path.length < 3 || Math.abs(signedArea(ring)) < (perimeter(ring) / 2) * DEBRIS_WIDTH;
-  return isDebris ? null : orientRing(ring, turn);
+function toPaths(polygons: readonly Polygon[], grid: ClipGrid): Paths64 {
+  // Filled is what winds more often counter-clockwise than clockwise.
+  return polygons.flatMap(({ outer, holes }) => [
+    grid.toPath(orientRing(outer, 'counter-clockwise')),
+    ...holes.map((hole) => grid.toPath(orientRing(hole, 'clockwise'))),
+  ]);
 }
