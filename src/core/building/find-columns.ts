@@ -19,8 +19,8 @@ const LEAST_HITS = 0.3;
 /** Fewest columns, and area, m², of the grid that make one. */
 const FEWEST = 3;
 const SMALLEST = 0.01;
-/** Columns this many apart are one structure's. */
-const HANDS = 3;
+/** Columns no farther apart than so many, either way, are of one structure. */
+const TOUCH = 3;
 /** Larger ones are shafts and cores, m². */
 const LARGEST_COLUMN = 1.5;
 const LARGEST = 12;
@@ -64,7 +64,7 @@ function insideRooms({ centres }: HeightColumns, c: number, rooms: readonly Poly
 function groupsOf(columns: HeightColumns, members: readonly number[]): number[][] {
   const open = new Set(members);
   return members.flatMap((first) =>
-    open.delete(first) ? [connectedColumns(columns, first, HANDS, (c) => open.delete(c))] : [],
+    open.delete(first) ? [connectedColumns(columns, first, TOUCH, (c) => open.delete(c))] : [],
   );
 }
 

@@ -1,6 +1,7 @@
 import type { PointCloud } from '../types.ts';
-import { type Arrangement, arrange, type Segment } from './arrangement.ts';
+import { type Arrangement, arrange } from './arrangement.ts';
 import { chordsOf, tieOf } from './chords.ts';
+import type { Segment } from './cut-segments.ts';
 import { alongOf, endsOf, type Face } from './face.ts';
 import { type FaceSupport, supportAlong } from './face-support.ts';
 import { findFaces } from './find-faces.ts';

@@ -20,8 +20,8 @@ const LEAST_FILLED = 0.4;
 const MOST_ROUNDS = 20;
 /** Fewer columns make no arc. */
 const FEWEST = 6;
-/** Columns this many apart hang together. */
-const HANDS = 2;
+/** Columns no farther apart than so many, either way, hang together. */
+const TOUCH = 2;
 
 /** Lets an arc grow from a column; null where none fits. */
 export function growArc(walls: FreeColumns, seed: number): Arc | null {
@@ -58,7 +58,7 @@ function circleOf({ columns }: FreeColumns, members: readonly number[]) {
 function connectedAround({ columns, angle, isFree }: FreeColumns, seed: number): number[] {
   const { centres } = columns;
   const seen = new Set([seed]);
-  return connectedColumns(columns, seed, HANDS, (c) => {
+  return connectedColumns(columns, seed, TOUCH, (c) => {
     if (isFree[c] === 0 || seen.has(c)) return false;
     const away = Math.hypot(centres[2 * c] - centres[2 * seed], centres[2 * c + 1] - centres[2 * seed + 1]);
     if (away > FIRST_REACH || !(turnBetween(angle[c], angle[seed]) <= FIRST_TURN)) return false;
