@@ -1,0 +1,147 @@
+import { FEWEST, LOOK_FROM, LOOK_TO, STEP, type WallLook } from './wall-look.ts';
+import type { WallStrip } from './wall-strip.ts';
+
+/** A bit of wall with points in more of its bits of height than this stands. */
+const STANDING = 0.25;
+/** Narrowest and widest opening, m. */
+const NARROWEST = 0.4;
+const WIDEST = 6;
+/** Points nearer to floor or ceiling than this are theirs, m. */
+const OFF_PLANE = 0.1;
+/** A reveal has no gap in depth wider than this, m. */
+const DEPTH_GAP = 0.12;
+/** Reach around the end of a void in which its jamb is looked for, m. */
+const JAMB_REACH = 0.15;
+/** Width of a jamb's points along the wall, m. */
+const JAMB_WIDTH = 0.06;
+/** A jamb is seen over at least this height, m, no higher than so far above eye height: lintels begin there. */
+const LEAST_JAMB = 0.4;
+const ABOVE_LOOK = 0.1;
+
+/** A stretch of a void between two ends, each a jamb that was seen or the end of the void; m along the wall. */
+export interface VoidPart {
+  readonly from: number;
+  readonly to: number;
+  /** Ends that are jambs. */
+  readonly jambs: number;
+  /** Points of the reveals around the void. */
+  readonly reveals: readonly number[];
+}
+
+/** The stretches of a wall that are void at eye height, parted at jambs. O(points · log points). */
+export function voidParts(look: WallLook, band: number): VoidPart[] {
+  const inside = revealPoints(look, band);
+  return voidsOf(look, band).flatMap(([from, to]) => {
+    const { along } = look.strip;
+    const near = inside.filter((i) => along[i] > from - JAMB_REACH && along[i] < to + JAMB_REACH);
+    return partsOf(look, { from, to, reveals: nearFace(look, near) });
+  });
+}
+
+/** Stretches along which nothing stands at eye height. */
+function voidsOf({ strip, length, thickness }: WallLook, band: number): [number, number][] {
+  const front = standing(strip, length, (d) => Math.abs(d) <= band);
+  const back = Number.isFinite(thickness)
+    ? standing(strip, length, (d) => Math.abs(d - thickness) <= band)
+    : front;
+  const isVoid = front.map((share, k) => (share <= STANDING && back[k] <= STANDING ? 1 : 0));
+  return runsOf(isVoid)
+    .map(([from, to]): [number, number] => [from * STEP, Math.min(length, to * STEP)])
+    .filter(([from, to]) => to - from >= NARROWEST - 2 * STEP);
+}
+
+/** Share of the bits at eye height that have points, for each bit along a face. */
+function standing(
+  { count, along, deep, high }: WallStrip,
+  length: number,
+  isOn: (d: number) => boolean,
+): Float64Array {
+  const rows = Math.round((LOOK_TO - LOOK_FROM) / STEP);
+  const columns = Math.max(1, Math.ceil(length / STEP));
+  const hits = new Uint8Array(rows * columns);
+  for (let i = 0; i < count; i++) {
+    if (high[i] < LOOK_FROM || high[i] >= LOOK_TO || !isOn(deep[i])) continue;
+    const column = Math.min(columns - 1, Math.floor(along[i] / STEP));
+    hits[column * rows + Math.min(rows - 1, Math.floor((high[i] - LOOK_FROM) / STEP))] = 1;
+  }
+  const shares = new Float64Array(columns);
+  for (let c = 0; c < columns; c++) {
+    for (let r = 0; r < rows; r++) shares[c] += hits[c * rows + r] / rows;
+  }
+  // Voxels may leave a bit empty between two that stand.
+  return shares.map((share, c) => Math.max(share, Math.min(shares[c - 1] ?? 0, shares[c + 1] ?? 0)));
+}
+
+function runsOf(isVoid: Float64Array): [number, number][] {
+  const runs: [number, number][] = [];
+  let begin = -1;
+  for (let k = 0; k <= isVoid.length; k++) {
+    if (isVoid[k] === 1) {
+      if (begin < 0) begin = k;
+    } else if (begin >= 0) {
+      runs.push([begin, k]);
+      begin = -1;
+    }
+  }
+  return runs;
+}
+
+/** Points within the wall, off its faces, floor and ceiling. */
+function revealPoints({ strip, thickness, ceiling }: WallLook, band: number): number[] {
+  const inside: number[] = [];
+  for (let i = 0; i < strip.count; i++) {
+    if (strip.deep[i] <= band || strip.deep[i] >= thickness - band) continue;
+    if (strip.high[i] < OFF_PLANE || strip.high[i] > ceiling - OFF_PLANE) continue;
+    inside.push(i);
+  }
+  return inside;
+}
+
+/** Reveals begin at the face: what lies behind a gap in depth is something else outside. */
+function nearFace({ strip }: WallLook, points: readonly number[]): number[] {
+  const sorted = [...points].sort((a, b) => strip.deep[a] - strip.deep[b]);
+  const end = sorted.findIndex((i, k) => strip.deep[i] - (k > 0 ? strip.deep[sorted[k - 1]] : 0) > DEPTH_GAP);
+  return end < 0 ? sorted : sorted.slice(0, end);
+}
+
+/** Where a wall is void at eye height, m along it, and the points of its reveals there. */
+type Void = Omit<VoidPart, 'jambs'>;
+
+function partsOf(look: WallLook, hole: Void): VoidPart[] {
+  const jambs = jambsIn(look, hole);
+  const ends = jambs.map((at) => ({ at, isJamb: true }));
+  if (!jambs.some((at) => Math.abs(at - hole.from) <= JAMB_REACH))
+    ends.unshift({ at: hole.from, isJamb: false });
+  if (!jambs.some((at) => Math.abs(at - hole.to) <= JAMB_REACH)) ends.push({ at: hole.to, isJamb: false });
+  const parts: VoidPart[] = [];
+  for (let k = 1; k < ends.length; k++) {
+    const [left, right] = [ends[k - 1], ends[k]];
+    if (right.at - left.at < NARROWEST || right.at - left.at > WIDEST) continue;
+    parts.push({
+      from: left.at,
+      to: right.at,
+      jambs: Number(left.isJamb) + Number(right.isJamb),
+      reveals: hole.reveals,
+    });
+  }
+  return parts;
+}
+
+/** Places along a void where reveals stand upright, in order. */
+function jambsIn({ strip }: WallLook, { reveals }: Void): number[] {
+  const below = reveals.filter((i) => strip.high[i] < LOOK_TO + ABOVE_LOOK);
+  const sorted = below.map((i) => ({ at: strip.along[i], z: strip.high[i] })).sort((a, b) => a.at - b.at);
+  const found: { at: number; weight: number }[] = [];
+  let low = 0;
+  for (let k = 0; k < sorted.length; k++) {
+    while (sorted[k].at - sorted[low].at > JAMB_WIDTH) low++;
+    const window = sorted.slice(low, k + 1);
+    const steps = new Set(window.map(({ z }) => Math.floor(z / (2 * STEP)))).size;
+    if (window.length < FEWEST || steps * 2 * STEP < LEAST_JAMB) continue;
+    found.push({ at: window[window.length >> 1].at, weight: steps + window.length / 1000 });
+  }
+  found.sort((a, b) => b.weight - a.weight);
+  const kept: number[] = [];
+  for (const { at } of found) if (kept.every((other) => Math.abs(other - at) > JAMB_REACH)) kept.push(at);
+  return kept.sort((a, b) => a - b);
+}
