@@ -112,14 +112,7 @@ function inReadingOrder(outlines: readonly Polygon[]): Polygon[] {
 
 function lookIntoInner(site: Site, { face, from, to, thickness }: FacePair): LookedInto {
   const { cloud, columns } = site;
-  const stretch: WallStretch = {
-    x: face.ax + from * face.ux,
-    y: face.ay + from * face.uy,
-    ux: face.ux,
-    uy: face.uy,
-    length: to - from,
-    depth: thickness,
-  };
+  const stretch = stretchAt(face, from, to, thickness);
   const look = { strip: wallStrip(cloud, columns, stretch), length: to - from, thickness };
   const isThrough = throughAt(columns, stretch, thickness / 2);
   const found = findOpenings({ ...look, noise: site.noise, ceiling: site.height, isThrough });
@@ -128,17 +121,15 @@ function lookIntoInner(site: Site, { face, from, to, thickness }: FacePair): Loo
 
 function lookIntoOuter(site: Site, edge: RoomEdge): LookedInto {
   const { cloud, columns, noise, height } = site;
-  const stretch: WallStretch = {
-    x: edge.ax,
-    y: edge.ay,
-    ux: edge.ux,
-    uy: edge.uy,
-    length: edge.length,
-    depth: DEEPEST,
-  };
+  const stretch = stretchAt(edge, 0, edge.length, DEEPEST);
   const look = { strip: wallStrip(cloud, columns, stretch), length: edge.length, thickness: Infinity };
   const found = findOpenings({ ...look, noise, ceiling: height, isThrough: () => false });
   return { stretch, found };
+}
+
+/** The wall along an edge, from one place along it to another. */
+function stretchAt({ ax, ay, ux, uy }: RoomEdge, from: number, to: number, depth: number): WallStretch {
+  return { x: ax + from * ux, y: ay + from * uy, ux, uy, length: to - from, depth };
 }
 
 function throughAt(columns: HeightColumns, { x, y, ux, uy }: WallStretch, deep: number) {
@@ -221,14 +212,7 @@ function pairRing({ face, back, from, to }: FacePair): Float64Array {
 
 function unseenOf(site: Site, edge: RoomEdge, looks: readonly LookedInto[]): Gap[] {
   const band = Math.max(FACE_BAND, FACE_DEVIATIONS * site.noise);
-  const stretch: WallStretch = {
-    x: edge.ax,
-    y: edge.ay,
-    ux: edge.ux,
-    uy: edge.uy,
-    length: edge.length,
-    depth: band,
-  };
+  const stretch = stretchAt(edge, 0, edge.length, band);
   const strip: WallStrip = wallStrip(site.cloud, site.columns, stretch);
   return unseenStretches(
     edge,
