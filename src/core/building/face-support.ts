@@ -33,14 +33,15 @@ export interface FaceSupport {
   readonly shares: Float64Array;
 }
 
+/** The storey that faces stand in. */
+export interface FaceSite {
+  readonly cloud: PointCloud;
+  readonly columns: HeightColumns;
+  readonly ceiling: LocalCeiling;
+}
+
 /** Reads a face's own columns, `reach` beyond its ends. O(columns of the face). */
-export function supportAlong(
-  cloud: PointCloud,
-  columns: HeightColumns,
-  ceiling: LocalCeiling,
-  face: Face,
-  reach: number,
-): FaceSupport {
+export function supportAlong({ cloud, columns, ceiling }: FaceSite, face: Face, reach: number): FaceSupport {
   const { centres, masks, size } = columns;
   const from = face.from - reach;
   const count = Math.ceil((face.to - face.from + 2 * reach) / STEP);

@@ -5,7 +5,7 @@ import { distanceToRing } from '../secondary/structure.ts';
 import type { PointCloud, Polygon, Ring, SecondaryBoundary } from '../types.ts';
 import { hasBin } from './bin-masks.ts';
 import { connectedColumns } from './connected-columns.ts';
-import { type HeightColumns, topShare } from './height-columns.ts';
+import { type HeightColumns, pointsOf, topShare } from './height-columns.ts';
 import type { LocalCeiling } from './local-ceiling.ts';
 
 /** A structure stands this far off the walls, m: nearer, it is a part of them. */
@@ -108,17 +108,4 @@ function ceiledShare({ table, size, overhead }: HeightColumns, outline: Ring): n
 
 function outlineOf(xy: Float64Array): Ring {
   return completeShell(xy) ?? convexHull(xy);
-}
-
-function pointsOf(
-  { positions }: PointCloud,
-  { points, start }: HeightColumns,
-  group: readonly number[],
-): Float64Array {
-  const xy: number[] = [];
-  for (const c of group) {
-    for (let k = start[c]; k < start[c + 1]; k++)
-      xy.push(positions[3 * points[k]], positions[3 * points[k] + 1]);
-  }
-  return Float64Array.from(xy);
 }

@@ -20,6 +20,10 @@ const SHORTEST = 0.15;
 const SURELY_STRAIGHT = 2;
 /** Points scatter more than this across no arc, m: it would be a corner. */
 const MOST_ARC_NOISE = 0.03;
+/** Fewer columns make no line. */
+const FEWEST = 3;
+/** A growing line is looked on past its ends by its own length, or by this, m. */
+const LEAST_REACH = 0.3;
 /** Share of a face's length that has columns. */
 const LEAST_FILLED = 0.35;
 
@@ -94,8 +98,8 @@ function growLine(walls: FreeColumns, seed: number): Line | null {
   };
   for (;;) {
     const length = line.to - line.from;
-    const members = columnsAlong(walls, line, Math.max(length, 0.3));
-    if (members.length < 3) return null;
+    const members = columnsAlong(walls, line, Math.max(length, LEAST_REACH));
+    if (members.length < FEWEST) return null;
     const grown = throughColumns(columns, members);
     if (grown.to - grown.from <= length + size / 2) {
       const filled = members.length * size;

@@ -3,7 +3,7 @@ import { type Arrangement, arrange } from './arrangement.ts';
 import { chordsOf, tieOf } from './chords.ts';
 import type { Segment } from './cut-segments.ts';
 import { alongOf, endsOf, type Face } from './face.ts';
-import { type FaceSupport, supportAlong } from './face-support.ts';
+import { type FaceSite, type FaceSupport, supportAlong } from './face-support.ts';
 import { findFaces } from './find-faces.ts';
 import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
 import type { HeightColumns } from './height-columns.ts';
@@ -23,16 +23,17 @@ const LEAST_WALL_SHARE = 0.5;
 /** The rooms of a storey. */
 export function findRooms(cloud: PointCloud, columns: HeightColumns, ceiling: LocalCeiling): FoundRooms {
   const seen = seenSpace(columns);
-  const walls = wallFaces(cloud, columns, ceiling);
+  const walls = wallFaces({ cloud, columns, ceiling });
   const first = subdivide(walls, columns, seen);
   const backs = missingBacks(first, columns);
   return backs.faces.length === 0 ? first : subdivide(joined(walls, backs), columns, seen);
 }
 
-function wallFaces(cloud: PointCloud, columns: HeightColumns, ceiling: LocalCeiling): WallFaces {
+function wallFaces(site: FaceSite): WallFaces {
+  const { cloud, columns } = site;
   const { straight, curved } = findFaces(cloud, columns);
   const stands = (group: readonly WallFace[]): WallFaces | null => {
-    const supports = group.map((face) => supportAlong(cloud, columns, ceiling, face, face.reach));
+    const supports = group.map((face) => supportAlong(site, face, face.reach));
     return standsAsWall(supports.flatMap(({ shares }) => [...shares])) ? { faces: group, supports } : null;
   };
   const lines = settleFaces(cloud, columns, straight).map((face) => [{ ...face, reach: REACH }]);

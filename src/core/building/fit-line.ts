@@ -2,9 +2,10 @@ import { Moments } from '../geometry/moments.ts';
 import type { PointCloud } from '../types.ts';
 import { biweight, FIRST_NOISE, noiseOf, reachOfNoise } from './biweight.ts';
 import { alongOf, asideOf, type Face, type Line, pointOn } from './face.ts';
-import type { HeightColumns } from './height-columns.ts';
+import { type HeightColumns, pointsOf } from './height-columns.ts';
 
 const FIT_ROUNDS = 4;
+
 /** The line through the points of a line's columns, by iteratively reweighted least squares with Tukey's biweight ([Beaton74]). O(points). */
 export function fitLine(cloud: PointCloud, columns: HeightColumns, line: Line): Face | null {
   const origin = pointOn(line, 0);
@@ -18,26 +19,6 @@ export function fitLine(cloud: PointCloud, columns: HeightColumns, line: Line): 
   const { nx, ny, noise, support } = fit;
   const offset = fit.offset + origin[0] * nx + origin[1] * ny;
   return { ...line, nx, ny, offset, noise, support, ...reachOf(columns, line.members, fit) };
-}
-
-/** The points of columns, x, y each, told from an origin, m. */
-function pointsOf(
-  { positions }: PointCloud,
-  { points, start }: HeightColumns,
-  members: readonly number[],
-  [x0, y0]: readonly [x: number, y: number],
-): Float64Array {
-  let size = 0;
-  for (const c of members) size += start[c + 1] - start[c];
-  const xy = new Float64Array(2 * size);
-  let n = 0;
-  for (const c of members) {
-    for (let k = start[c]; k < start[c + 1]; k++) {
-      xy[n++] = positions[3 * points[k]] - x0;
-      xy[n++] = positions[3 * points[k] + 1] - y0;
-    }
-  }
-  return xy;
 }
 
 type Fit = Omit<Face, 'from' | 'to' | 'members'>;

@@ -226,6 +226,26 @@ export function hasPlane(columns: HeightColumns, x: number, y: number): boolean 
   return c >= 0 && columns.planes[c] !== 0;
 }
 
+/** The points between floor and ceiling of some columns, x, y each, told from an origin, m. */
+export function pointsOf(
+  { positions }: PointCloud,
+  { points, start }: HeightColumns,
+  columns: readonly number[],
+  [x0, y0]: readonly [x: number, y: number] = [0, 0],
+): Float64Array {
+  let size = 0;
+  for (const c of columns) size += start[c + 1] - start[c];
+  const xy = new Float64Array(2 * size);
+  let n = 0;
+  for (const c of columns) {
+    for (let k = start[c]; k < start[c + 1]; k++) {
+      xy[n++] = positions[3 * points[k]] - x0;
+      xy[n++] = positions[3 * points[k] + 1] - y0;
+    }
+  }
+  return xy;
+}
+
 /** The bin that ends below a ceiling at height `z`. */
 export function binAt({ low, binsPerMetre, bins }: HeightColumns, z: number): number {
   return Math.max(1, Math.min(bins, Math.round((z - PLANE_REACH - low) * binsPerMetre)));
