@@ -3,13 +3,13 @@ import type { HeightColumns } from './height-columns.ts';
 /**
  * Columns that hang together with one, itself first, where neighbours are no more than `reach` columns apart either way.
  *
- * @param takes whether a column joins; it must not take one twice, nor the first. O(columns found · reach²).
+ * @param takes whether a column joins one of them; it must not take one twice, nor the first. O(columns found · reach²).
  */
 export function connectedColumns(
-  { table }: HeightColumns,
+  { table }: Pick<HeightColumns, 'table'>,
   first: number,
   reach: number,
-  takes: (column: number) => boolean,
+  takes: (column: number, from: number) => boolean,
 ): number[] {
   const found = [first];
   for (let k = 0; k < found.length; k++) {
@@ -17,7 +17,7 @@ export function connectedColumns(
     for (let dy = -reach; dy <= reach; dy++) {
       for (let dx = -reach; dx <= reach; dx++) {
         const c = table.find(ix + dx, iy + dy, 0);
-        if (c >= 0 && takes(c)) found.push(c);
+        if (c >= 0 && takes(c, found[k])) found.push(c);
       }
     }
   }

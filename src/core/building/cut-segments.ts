@@ -1,13 +1,16 @@
 /** Places nearer to each other are one vertex, m: far below what a scan tells, far above what float64 rounds. */
 const SAME_PLACE = 1e-5;
 
+/** Stands for nothing. */
+export const NO_LINE = -1;
+
 /** A straight stretch of the plane's subdivision. */
 export interface Segment {
   readonly ax: number;
   readonly ay: number;
   readonly bx: number;
   readonly by: number;
-  /** What it stands for, as its maker numbers it. */
+  /** What it stands for, as its maker numbers it; {@link NO_LINE} for a stroke that only cuts. */
   readonly line: number;
 }
 

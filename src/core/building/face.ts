@@ -17,6 +17,11 @@ export interface Face extends Line {
   readonly support: number;
 }
 
+/** Cosine of the angle up to which lines are parallel, 3°. */
+const SAME_DIRECTION = 0.9986;
+/** Sine of the angle from which they cross, 30°. */
+const CROSSING = 0.5;
+
 type Place = readonly [x: number, y: number];
 type Straight = Pick<Line, 'nx' | 'ny' | 'offset'>;
 
@@ -38,4 +43,15 @@ export function asideOf({ nx, ny, offset }: Straight, x: number, y: number): num
 /** Its two ends, that `from` first, drawn on by `reach` past each, m. */
 export function endsOf(line: Line, reach = 0): readonly [Place, Place] {
   return [pointOn(line, line.from - reach), pointOn(line, line.to + reach)];
+}
+
+export function isParallel(a: Straight, b: Straight): boolean {
+  return Math.abs(a.nx * b.nx + a.ny * b.ny) >= SAME_DIRECTION;
+}
+
+/** Where two lines cross; null where they do so at a small angle, or not at all. */
+export function crossingOf(a: Straight, b: Straight): Place | null {
+  const sine = a.nx * b.ny - a.ny * b.nx;
+  if (Math.abs(sine) < CROSSING) return null;
+  return [(a.offset * b.ny - b.offset * a.ny) / sine, (a.nx * b.offset - b.nx * a.offset) / sine];
 }

@@ -1,25 +1,26 @@
 import { Moments } from '../geometry/moments.ts';
-import type { PointCloud } from '../types.ts';
+import { medianOf } from '../robust-scale.ts';
 import { columnDirections } from './column-directions.ts';
 import { alongOf, asideOf, type Face, type Line, pointOn } from './face.ts';
+import type { FaceSite } from './face-support.ts';
 import { type CurvedFace, fitArc } from './fit-arc.ts';
 import { fitLine, reachOf } from './fit-line.ts';
 import { type Course, type FreeColumns, LONGEST_BREAK, takeAcross } from './free-columns.ts';
 import { growArc } from './grow-arc.ts';
 import type { HeightColumns } from './height-columns.ts';
+import { wallColumns } from './wall-columns.ts';
 
-/** Columns with hits in fewer of their bins are no wall … */
-const LEAST_HITS = 0.3;
-/** … unless so many of those below the ceiling are hit. */
-const LEAST_TOP_HITS = 0.5;
 /** A column whose own direction leaves the line by more than this, radians, belongs to another. */
 const MOST_TURN = (20 * Math.PI) / 180;
 /** Shortest face, m: the side of a slender column, a niche. */
 const SHORTEST = 0.15;
 /** A line this long is no chord of a curved wall, m: with a radius up to 10 m it would leave its band. */
 const SURELY_STRAIGHT = 2;
-/** Points scatter more than this across no arc, m: it would be a corner. */
+/** Points scatter more than this across no arc, m: it would be a corner … */
 const MOST_ARC_NOISE = 0.03;
+/** … nor more than so many times what they do across straight walls, or this, m. */
+const NOISE_RATIO = 1.4;
+const LEAST_ARC_NOISE = 0.005;
 /** Fewer columns make no line. */
 const FEWEST = 3;
 /** A growing line is looked on past its ends by its own length, or by this, m. */
@@ -41,8 +42,8 @@ export interface FoundFaces {
  * face. Then the line is fitted robustly to the points. What lies in no long
  * line may lie in an arc, and then in a short line. O(columns · log columns).
  */
-export function findFaces(cloud: PointCloud, columns: HeightColumns): FoundFaces {
-  const isFree = wallColumns(columns);
+export function findFaces({ cloud, columns, ceiling }: FaceSite): FoundFaces {
+  const isFree = wallColumns(columns, ceiling);
   const { angle, support } = columnDirections(columns, isFree);
   const walls: FreeColumns = { columns, angle, isFree };
   const seeds = Uint32Array.from(isFree.keys()).filter((c) => support[c] > 0);
@@ -63,10 +64,11 @@ export function findFaces(cloud: PointCloud, columns: HeightColumns): FoundFaces
     }
   };
   growLines(SURELY_STRAIGHT);
+  const mostNoise = mostArcNoise(straight);
   for (const seed of seeds) {
     const arc = isFree[seed] === 1 ? growArc(walls, seed) : null;
     const face = arc && fitArc(cloud, columns, arc);
-    if (!face || face.noise > MOST_ARC_NOISE) continue;
+    if (!face || face.noise > mostNoise) continue;
     take(face.members);
     curved.push(face);
   }
@@ -74,12 +76,10 @@ export function findFaces(cloud: PointCloud, columns: HeightColumns): FoundFaces
   return { straight, curved };
 }
 
-function wallColumns({ count, hits, bins, topHits, topBins }: HeightColumns): Uint8Array {
-  const isWall = new Uint8Array(count);
-  for (let c = 0; c < count; c++) {
-    isWall[c] = hits[c] >= LEAST_HITS * bins || topHits[c] >= LEAST_TOP_HITS * topBins ? 1 : 0;
-  }
-  return isWall;
+function mostArcNoise(straight: readonly Face[]): number {
+  if (straight.length === 0) return MOST_ARC_NOISE;
+  const usual = medianOf(Float64Array.from(straight, ({ noise }) => noise));
+  return Math.min(MOST_ARC_NOISE, Math.max(LEAST_ARC_NOISE, NOISE_RATIO * usual));
 }
 
 /** Lets a line grow from a column. */

@@ -1,9 +1,9 @@
 import type { PointCloud } from '../types.ts';
 import { type Arrangement, arrange } from './arrangement.ts';
 import { chordsOf, tieOf } from './chords.ts';
-import type { Segment } from './cut-segments.ts';
+import { NO_LINE, type Segment } from './cut-segments.ts';
 import { alongOf, endsOf, type Face } from './face.ts';
-import { type FaceSite, type FaceSupport, supportAlong } from './face-support.ts';
+import { type FaceSite, type FaceSupport, supportAlong, WALL_SHARE } from './face-support.ts';
 import { findFaces } from './find-faces.ts';
 import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
 import type { HeightColumns } from './height-columns.ts';
@@ -12,8 +12,9 @@ import type { LocalCeiling } from './local-ceiling.ts';
 import { missingBacks } from './missing-backs.ts';
 import { type SeenSpace, seenSpace } from './seen-space.ts';
 import { settleFaces } from './settle-faces.ts';
-import { takenSupport, WALL_SHARE } from './taken-walls.ts';
+import { takenSupport } from './taken-walls.ts';
 import { traceRooms } from './trace-rooms.ts';
+import { wallEnds } from './wall-ends.ts';
 
 /** How far faces are drawn on past their ends to meet others, m: a wall hidden behind a cupboard or two. */
 const REACH = 5;
@@ -31,7 +32,7 @@ export function findRooms(cloud: PointCloud, columns: HeightColumns, ceiling: Lo
 
 function wallFaces(site: FaceSite): WallFaces {
   const { cloud, columns } = site;
-  const { straight, curved } = findFaces(cloud, columns);
+  const { straight, curved } = findFaces(site);
   const stands = (group: readonly WallFace[]): WallFaces | null => {
     const supports = group.map((face) => supportAlong(site, face, face.reach));
     return standsAsWall(supports.flatMap(({ shares }) => [...shares])) ? { faces: group, supports } : null;
@@ -59,9 +60,10 @@ function joined(a: WallFaces, b: WallFaces): WallFaces {
 function subdivide({ faces, supports }: WallFaces, columns: HeightColumns, seen: SeenSpace): FoundRooms {
   const segments = faces.map((face, line) => segmentOf(face, line));
   const ties = faces.flatMap((face, line) => (face.reach === 0 ? [{ ...tieOf(face), line }] : []));
-  const arrangement = arrange([...segments, ...ties]);
+  const ends = wallEnds({ faces, supports }, seen);
+  const arrangement = arrange([...segments, ...ties, ...ends]);
   const support = edgeSupport(arrangement, faces, takenSupport(faces, supports, seen));
-  const space = labelSpace(arrangement, columns, seen.isSeen, support);
+  const space = labelSpace(arrangement, columns, seen, support);
   return { faces, arrangement, support, space, rooms: traceRooms(arrangement, space.isRoom, support) };
 }
 
@@ -80,6 +82,7 @@ function edgeSupport(
     const [u, v] = [origin[2 * e], origin[2 * e + 1]];
     let best = 0;
     for (const line of own) {
+      if (line === NO_LINE) continue;
       const { from, step, shares } = supports[line];
       const ends = [u, v].map((p) => (alongOf(faces[line], x[p], y[p]) - from) / step);
       const [low, high] = [Math.min(...ends), Math.max(...ends)];

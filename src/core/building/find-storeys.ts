@@ -24,10 +24,18 @@ const LEAST_REACH = 0.003;
 /** Points that tell a median at most. */
 const SAMPLE = 10_000;
 
+/** Walls without a ceiling are looked for above most furniture, m … */
+const WALLS_FROM = 1.2;
+/** … and end where less than this share of them is left. */
+const TOP_SHARE = 0.5;
+
 /** Heights between which a storey stands, m, in the cloud's frame. */
 export interface StoreyHeights {
   readonly floor: number;
+  /** The highest ceiling; where none was seen, the tops of the walls. */
   readonly ceiling: number;
+  /** No ceiling was seen. */
+  readonly isOpenAbove?: true;
 }
 
 /**
@@ -60,15 +68,36 @@ export function findStoreys(cloud: PointCloud, kept: Uint32Array): readonly Stor
     );
     if (floors.length === 0 || hasCeilingBelow) floors.push(z);
   }
+  if (floors.length === 0) return openStorey(cloud, kept, areas, low, peaks);
   return floors.map((floor, i) => {
     const next = floors[i + 1] ?? Infinity;
     const above = surfaces.filter(({ bin }) => heightAt(bin) >= floor + LEAST_HEIGHT && heightAt(bin) < next);
-    const ceiling = above.reduce((best, peak) => (peak.area > best.area ? peak : best), { bin: 0, area: 0 });
+    const highest = above[above.length - 1];
     return {
       floor: refined(cloud.positions, kept, floor),
-      ceiling: refined(cloud.positions, kept, heightAt(ceiling.bin)),
+      ceiling: refined(cloud.positions, kept, heightAt(highest.bin)),
     };
   });
+}
+
+/** A floor with walls but no ceiling over it: its walls end where hardly any point is above. */
+function openStorey(
+  { positions }: PointCloud,
+  kept: Uint32Array,
+  areas: Float64Array,
+  low: number,
+  peaks: readonly Peak[],
+): readonly StoreyHeights[] {
+  const { bin } = peaks.reduce((best, peak) => (peak.area > best.area ? peak : best));
+  const at = (height: number) => Math.min(areas.length, bin + Math.round(height / BIN));
+  const walls = areas.slice(at(WALLS_FROM), at(LEAST_HEIGHT));
+  if (walls.length === 0) return [];
+  const usual = medianOf(walls);
+  let top = areas.length - 1;
+  while (top > bin && areas[top] < TOP_SHARE * usual) top--;
+  if (top < at(LEAST_HEIGHT)) return [];
+  const floor = refined(positions, kept, low + (bin + 0.5) * BIN);
+  return [{ floor, ceiling: low + (top + 1) * BIN, isOpenAbove: true }];
 }
 
 interface HeightAreas {

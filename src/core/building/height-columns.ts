@@ -2,24 +2,20 @@ import { CellTable } from '../cell-table.ts';
 import type { PointCloud } from '../types.ts';
 import { countBins, highestBin, MOST_BINS, setBin } from './bin-masks.ts';
 import type { StoreyHeights } from './find-storeys.ts';
+import { overheadOf } from './overhead.ts';
 
 /** Height of a bin, m: coarser than the voxels of a thinned cloud. */
 const BIN = 0.1;
 /** Floors and ceilings are found within this of their height, m: noise, tilt, sills, coves. */
 const PLANE_REACH = 0.08;
-/** Height below the ceiling of the cleanest slice of a storey, m: above door heads and cupboards. */
+/** Height below a ceiling of the cleanest slice of a storey, m: above door heads and most cupboards. */
 const TOP_BAND = 0.45;
 /** Columns are so many times as wide as points are apart, within limits in m. */
 const SPACINGS = 1.25;
 const NARROWEST = 0.05;
 const WIDEST = 0.15;
-/** Lowest height of a lowered ceiling above the floor, m: door heads and most cupboards are below. */
-const LEAST_OVERHEAD = 2.3;
 /** Points within this of what hangs over a column are on it, m. */
-const OVER_REACH = 0.1;
-/** Bins below a ceiling that are empty, or a wall would be taken for one. */
-const CLEAR_BINS = 3;
-
+const OVER_REACH = 0.05;
 /** The points of a storey in columns of a square grid seen from above. */
 export interface HeightColumns {
   /** Edge of a column, m. */
@@ -29,14 +25,12 @@ export interface HeightColumns {
   readonly table: CellTable;
   /** Mean place of the column's points between floor and ceiling, x, y each; NaN where it has none. */
   readonly centres: Float64Array;
-  /** Bins with points between floor and ceiling, and of those in the top band. */
+  /** Bins with points between floor and ceiling. */
   readonly hits: Uint8Array;
-  readonly topHits: Uint8Array;
   readonly bins: number;
   readonly binsPerMetre: number;
   /** Height of the lowest bin's bottom, m, in the cloud's frame. */
   readonly low: number;
-  readonly topBins: number;
   /** Bins with points of each column; see `bin-masks.ts`. */
   readonly masks: Int32Array;
   /** Height of what hangs over the column, m, in the cloud's frame; NaN where nothing does. */
@@ -60,27 +54,29 @@ export function heightColumns(cloud: PointCloud, kept: Uint32Array, heights: Sto
   const sorted = sortIntoColumns(positions, kept, heights, size);
   const { table } = sorted;
   const filled = fillBins(positions, sorted, heights, bins);
-  const overhead = overheads(filled, heights, bins);
+  const overhead = overheadOf({
+    ...filled,
+    table,
+    size,
+    heights,
+    heightsAbove: topHeights(positions, sorted, filled, bins),
+  });
   const between = pointsByColumn(
     sorted,
     (i) => positions[3 * i + 2] >= bins.low && positions[3 * i + 2] < bins.high,
   );
   // What hangs over no column is not a number, and no point is above that.
   const over = pointsByColumn(sorted, (i, c) => positions[3 * i + 2] > overhead[c] - OVER_REACH);
-  const hitsFrom = (first: number) =>
-    Uint8Array.from(overhead, (_, c) => countBins(filled.masks, c, first, bins.bins));
   return {
     size,
     heights,
     count: table.count,
     table,
     centres: centresOf(positions, between),
-    hits: hitsFrom(0),
-    topHits: hitsFrom(bins.bins - bins.topBins),
+    hits: Uint8Array.from(overhead, (_, c) => countBins(filled.masks, c, 0, bins.bins)),
     bins: bins.bins,
     binsPerMetre: bins.binsPerMetre,
     low: bins.low,
-    topBins: bins.topBins,
     masks: filled.masks,
     overhead,
     planes: filled.planes,
@@ -110,17 +106,16 @@ function columnSize(positions: Float32Array, kept: Uint32Array, { floor, ceiling
 }
 
 /** The bins between floor and ceiling. */
-interface HeightBins extends Pick<HeightColumns, 'bins' | 'binsPerMetre' | 'low' | 'topBins'> {
+interface HeightBins extends Pick<HeightColumns, 'bins' | 'binsPerMetre' | 'low'> {
   /** Height of the highest bin's top, m, in the cloud's frame. */
   readonly high: number;
 }
 
-function heightBins({ floor, ceiling }: StoreyHeights): HeightBins {
-  const [low, high] = [floor + PLANE_REACH, ceiling - PLANE_REACH];
+function heightBins({ floor, ceiling, isOpenAbove }: StoreyHeights): HeightBins {
+  const [low, high] = [floor + PLANE_REACH, isOpenAbove ? ceiling : ceiling - PLANE_REACH];
   const bins = Math.max(1, Math.min(MOST_BINS, Math.round((high - low) / BIN)));
   const binsPerMetre = bins / (high - low);
-  const topBins = Math.max(1, Math.min(bins, Math.round(TOP_BAND * binsPerMetre)));
-  return { low, high, bins, binsPerMetre, topBins };
+  return { low, high, bins, binsPerMetre };
 }
 
 /** The points of a storey, and the column of each. */
@@ -153,9 +148,10 @@ type FilledBins = Pick<HeightColumns, 'masks' | 'planes'>;
 function fillBins(
   positions: Float32Array,
   { table, kept, columnOf }: SortedPoints,
-  { floor }: StoreyHeights,
-  { low, high, bins, binsPerMetre }: HeightBins,
+  { floor, isOpenAbove }: StoreyHeights,
+  heightBins: HeightBins,
 ): FilledBins {
+  const { low, high } = heightBins;
   const masks = new Int32Array(2 * table.count);
   const planes = new Uint8Array(table.count);
   for (let k = 0; k < kept.length; k++) {
@@ -163,25 +159,34 @@ function fillBins(
     if (column < 0) continue;
     const z = positions[3 * kept[k] + 2];
     if (z < low) planes[column] |= Math.abs(z - floor) <= PLANE_REACH ? 1 : 0;
-    else if (z >= high) planes[column] |= 2;
-    else setBin(masks, column, Math.min(bins - 1, Math.floor((z - low) * binsPerMetre)));
+    else if (z < high) setBin(masks, column, binOf(heightBins, z));
+    else if (!isOpenAbove) planes[column] |= 2;
   }
   return { masks, planes };
 }
 
-/** A column's ceiling: that of the storey, or its highest bin if some below are clear. */
-function overheads(
-  { masks, planes }: FilledBins,
-  { floor, ceiling }: StoreyHeights,
-  { low, binsPerMetre }: HeightBins,
+function binOf({ low, bins, binsPerMetre }: HeightBins, z: number): number {
+  return Math.min(bins - 1, Math.floor((z - low) * binsPerMetre));
+}
+
+/** Mean height of each column's highest points, m: those of its two highest bins, over which noise spreads a surface. */
+function topHeights(
+  positions: Float32Array,
+  { table, kept, columnOf }: SortedPoints,
+  { masks }: FilledBins,
+  heightBins: HeightBins,
 ): Float32Array {
-  return Float32Array.from(planes, (plane, c) => {
-    if (plane & 2) return ceiling;
-    const highest = highestBin(masks, c);
-    const z = low + (highest + 0.5) / binsPerMetre;
-    const isClear = countBins(masks, c, highest - CLEAR_BINS, highest) === 0;
-    return z >= floor + LEAST_OVERHEAD && isClear ? z : Number.NaN;
-  });
+  const sums = new Float32Array(table.count);
+  const counts = new Uint32Array(table.count);
+  for (let k = 0; k < kept.length; k++) {
+    const column = columnOf[k];
+    const z = positions[3 * kept[k] + 2];
+    if (column < 0 || z < heightBins.low || z >= heightBins.high) continue;
+    if (binOf(heightBins, z) < highestBin(masks, column) - 1) continue;
+    sums[column] += z;
+    counts[column]++;
+  }
+  return sums.map((sum, c) => sum / counts[c]);
 }
 
 type ColumnPoints = Pick<HeightColumns, 'points' | 'start'>;
@@ -251,9 +256,15 @@ export function binAt({ low, binsPerMetre, bins }: HeightColumns, z: number): nu
   return Math.max(1, Math.min(bins, Math.round((z - PLANE_REACH - low) * binsPerMetre)));
 }
 
-/** Share of the bins in the cleanest slice below a ceiling at height `z` that are filled. */
-export function topShare(columns: HeightColumns, masks: Int32Array, owner: number, z: number): number {
+/** Share of the bins that are filled in the slice below a ceiling at height `z`, `band` m high. */
+export function topShare(
+  columns: HeightColumns,
+  masks: Int32Array,
+  owner: number,
+  z: number,
+  band = TOP_BAND,
+): number {
   const top = binAt(columns, z);
-  const bottom = Math.max(0, top - Math.round(TOP_BAND * columns.binsPerMetre));
+  const bottom = Math.max(0, top - Math.round(band * columns.binsPerMetre));
   return countBins(masks, owner, bottom, top) / Math.max(1, top - bottom);
 }

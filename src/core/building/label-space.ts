@@ -2,11 +2,14 @@ import type { Arrangement } from './arrangement.ts';
 import { ringFrom } from './arrangement.ts';
 import type { HeightColumns } from './height-columns.ts';
 import { MinCut } from './max-flow.ts';
+import type { SeenSpace } from './seen-space.ts';
 
 /** What a metre of boundary without any wall costs, in m² of space labelled against its evidence. */
 const BOUNDARY_COST = 0.3;
 /** What space counts where nothing was seen: far from a scanner, or behind furniture, it is room all the same. */
 const UNSEEN_COST = 0.1;
+/** … but what is not seen between places that are is solid: a wall. */
+const SOLID_COST = 1;
 
 /** For each face of an arrangement: is it room or not? */
 export interface Space {
@@ -26,16 +29,19 @@ export interface Space {
 export function labelSpace(
   arrangement: Arrangement,
   columns: HeightColumns,
-  isSeen: Uint8Array,
+  { isSeen, isBetween }: SeenSpace,
   support: Float64Array,
 ): Space {
-  const seen = seenAreas(arrangement, columns, isSeen);
+  const owner = faceOfColumns(arrangement, columns);
+  const seen = areasOf(arrangement, columns, owner, isSeen);
+  const solid = areasOf(arrangement, columns, owner, isBetween);
   const { face, areas, x, y, origin } = arrangement;
   const cut = new MinCut(areas.length);
   const own = ownAreas(arrangement);
   for (let f = 0; f < areas.length; f++) {
     const inside = Math.min(own[f], seen[f]);
-    cut.addTerminals(f, inside, UNSEEN_COST * (own[f] - inside));
+    const unseen = own[f] - inside;
+    cut.addTerminals(f, inside, UNSEEN_COST * unseen + SOLID_COST * Math.min(unseen, solid[f]));
   }
   for (let e = 0; e < support.length; e++) {
     const [f, g] = [face[2 * e], face[2 * e + 1]];
@@ -61,11 +67,10 @@ function ownAreas({ areas, holes, x, y, origin, next }: Arrangement): Float64Arr
   });
 }
 
-/** m² seen of each face: columns with ceiling or floor, by the face their middle lies in. */
-function seenAreas(arrangement: Arrangement, columns: HeightColumns, isSeen: Uint8Array): Float64Array {
-  const { table, size } = columns;
+/** The face that the middle of each column lies in; −1 outside all. */
+function faceOfColumns(arrangement: Arrangement, { count, table, size }: HeightColumns): Int32Array {
   const { areas, x, y, origin, next, faceEdge } = arrangement;
-  const owner = new Int32Array(columns.count).fill(-1);
+  const owner = new Int32Array(count).fill(-1);
   // The largest first, so that what lies within a face has the last word.
   const order = [...areas.keys()].sort((f, g) => areas[g] - areas[f]);
   for (const f of order) {
@@ -75,11 +80,21 @@ function seenAreas(arrangement: Arrangement, columns: HeightColumns, isSeen: Uin
       if (c >= 0) owner[c] = f;
     });
   }
-  const seen = new Float64Array(areas.length);
+  return owner;
+}
+
+/** m² of each face that the columns marked take up. */
+function areasOf(
+  { areas }: Arrangement,
+  { size }: HeightColumns,
+  owner: Int32Array,
+  isMarked: Uint8Array,
+): Float64Array {
+  const marked = new Float64Array(areas.length);
   for (let c = 0; c < owner.length; c++) {
-    if (owner[c] >= 0 && isSeen[c] === 1) seen[owner[c]] += size * size;
+    if (owner[c] >= 0 && isMarked[c] === 1) marked[owner[c]] += size * size;
   }
-  return seen;
+  return marked;
 }
 
 /** Visits the cells of a square grid whose middles lie in a ring. */

@@ -1,10 +1,10 @@
+import { NO_LINE } from './cut-segments.ts';
 import { alongOf, pointOn } from './face.ts';
-import type { FaceSupport } from './face-support.ts';
+import { type FaceSupport, STEP, TAKEN_SHARE, WALL_SHARE } from './face-support.ts';
 import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
 import { type HeightColumns, hasPlane } from './height-columns.ts';
 import { pairFaces } from './pair-faces.ts';
 import { edgesOf } from './room-edges.ts';
-import { WALL_SHARE } from './taken-walls.ts';
 
 /** Thickness of an inner wall where no other tells, m: a stud wall. */
 const USUAL_THICKNESS = 0.12;
@@ -17,7 +17,6 @@ const BLIND_SHARE = 0.5;
 /** So near a face, m, is its own noise; so far off ends the thinnest wall's inside. */
 const NEAR = 0.03;
 const FAR = 0.08;
-const STEP = 0.05;
 
 /**
  * The other faces of walls that two rooms share without a thickness: seen from one room only.
@@ -43,8 +42,13 @@ export function missingBacks(found: FoundRooms, columns: HeightColumns): WallFac
         members: [],
         support: 0,
       });
-      const shares = new Float64Array(Math.ceil((to - from + 2 * OVERLAP) / STEP)).fill(WALL_SHARE + 0.3);
-      supports.push({ from: from - OVERLAP, step: STEP, shares });
+      const shares = new Float64Array(Math.ceil((to - from + 2 * OVERLAP) / STEP)).fill(TAKEN_SHARE);
+      supports.push({
+        from: from - OVERLAP,
+        step: STEP,
+        shares,
+        ceiling: new Float64Array(shares.length).fill(Number.NaN),
+      });
     }
   }
   return { faces, supports };
@@ -69,7 +73,8 @@ function sharedStretches({
   for (let e = 0; e < support.length; e++) {
     const [f, g] = [face[2 * e], face[2 * e + 1]];
     if (f < 0 || g < 0 || space.isRoom[f] === 0 || space.isRoom[g] === 0 || support[e] < WALL_SHARE) continue;
-    const line = lines[e][0];
+    const line = lines[e].find((own) => own !== NO_LINE);
+    if (line === undefined) continue;
     const ends = [origin[2 * e], origin[2 * e + 1]]
       .map((v) => alongOf(faces[line], x[v], y[v]))
       .sort((a, b) => a - b);

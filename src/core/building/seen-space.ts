@@ -1,24 +1,37 @@
-import { columnAt, type HeightColumns } from './height-columns.ts';
+import { countBins } from './bin-masks.ts';
+import { binAt, columnAt, type HeightColumns, topShare } from './height-columns.ts';
 
 /** A column with points in more of its bins is a wall's or furniture's: what is seen above or below it tells nothing. */
 const CLEAR_SHARE = 0.3;
 /** … and so does a column with points in more of its bins below the ceiling: a lintel hangs there. */
 const LINTEL_SHARE = 0.4;
 
+/** What is not seen between places that are, no farther apart than this, m, is solid: a thick inner wall. */
+const THICKEST_SOLID = 0.45;
+const FOUR_WAYS = [
+  [1, 0],
+  [0, 1],
+  [1, 1],
+  [1, -1],
+] as const;
+
 /** Where a floor or a ceiling was seen and nothing stands. */
 export interface SeenSpace {
   /** 1 for the columns that are clear, as their neighbours are, and seen. */
   readonly isSeen: Uint8Array;
+  /** 1 for the columns that are not, but have such ones near on two opposite sides. */
+  readonly isBetween: Uint8Array;
   /** Whether the ceiling hangs free over a place, or where a storey has none the floor was seen there. */
   at(x: number, y: number): boolean;
+  /** Whether a floor or a ceiling was seen at a place where nothing stands. */
+  isOpen(x: number, y: number): boolean;
 }
 
 /** A column beside a wall may reach into it, so it does not count. O(columns). */
 export function seenSpace(columns: HeightColumns): SeenSpace {
-  const { table, count, hits, bins, topHits, topBins, planes, overhead } = columns;
+  const { table, count, planes, overhead } = columns;
   const isSeen = new Uint8Array(count);
-  const isClear = (c: number) =>
-    c < 0 || (hits[c] <= CLEAR_SHARE * bins && topHits[c] <= LINTEL_SHARE * topBins);
+  const isClear = (c: number) => c < 0 || isClearColumn(columns, c);
   for (let c = 0; c < count; c++) {
     if (planes[c] === 0 && Number.isNaN(overhead[c])) continue;
     const [ix, iy] = table.coordinatesOf(c);
@@ -29,13 +42,49 @@ export function seenSpace(columns: HeightColumns): SeenSpace {
     isSeen[c] = clear ? 1 : 0;
   }
   const hasCeiling = isCeiled(columns);
+  const clearAt = (x: number, y: number) => {
+    const c = columnAt(columns, x, y);
+    return c >= 0 && isClear(c) ? c : -1;
+  };
   return {
     isSeen,
+    isBetween: betweenSeen(columns, isSeen),
     at(x, y) {
-      const c = columnAt(columns, x, y);
-      return c >= 0 && isClear(c) && (hasCeiling ? !Number.isNaN(overhead[c]) : planes[c] !== 0);
+      const c = clearAt(x, y);
+      return c >= 0 && (hasCeiling ? !Number.isNaN(overhead[c]) : planes[c] !== 0);
+    },
+    isOpen(x, y) {
+      const c = clearAt(x, y);
+      return c >= 0 && (planes[c] !== 0 || !Number.isNaN(overhead[c]));
     },
   };
+}
+
+/** Whether hardly anything is in a column below its ceiling. */
+export function isClearColumn(columns: HeightColumns, c: number): boolean {
+  const { overhead, masks, heights } = columns;
+  const z = Number.isNaN(overhead[c]) ? heights.ceiling : overhead[c];
+  const bins = binAt(columns, z);
+  return countBins(masks, c, 0, bins) <= CLEAR_SHARE * bins && topShare(columns, masks, c, z) <= LINTEL_SHARE;
+}
+
+function betweenSeen({ table, size, count }: HeightColumns, isSeen: Uint8Array): Uint8Array {
+  const reach = Math.round(THICKEST_SOLID / size);
+  const wayToSeen = (ix: number, iy: number, dx: number, dy: number) => {
+    for (let k = 1; k <= reach; k++) {
+      const c = table.find(ix + k * dx, iy + k * dy, 0);
+      if (c >= 0 && isSeen[c] === 1) return k;
+    }
+    return Infinity;
+  };
+  return Uint8Array.from({ length: count }, (_, c) => {
+    if (isSeen[c] === 1) return 0;
+    const [ix, iy] = table.coordinatesOf(c);
+    const isBetween = FOUR_WAYS.some(
+      ([dx, dy]) => wayToSeen(ix, iy, dx, dy) + wayToSeen(ix, iy, -dx, -dy) <= reach + 2,
+    );
+    return isBetween ? 1 : 0;
+  });
 }
 
 /** Whether most of the floor has a ceiling over it. */

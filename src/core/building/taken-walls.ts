@@ -1,27 +1,18 @@
-import { alongOf, asideOf, type Face, pointOn } from './face.ts';
-import type { FaceSupport } from './face-support.ts';
+import { alongOf, asideOf, crossingOf, type Face, isParallel, pointOn } from './face.ts';
+import { type FaceSupport, TAKEN_SHARE, WALL_SHARE } from './face-support.ts';
 import type { SeenSpace } from './seen-space.ts';
+import { NEAR_END, OPEN_SHARE, withCorners } from './wall-corners.ts';
 
-/** A share of wall that counts as one. */
-export const WALL_SHARE = 0.5;
 /** Widest passage or hidden stretch that a wall is taken to go on over, m. */
 const WIDEST_PASSAGE = 2.5;
-/** What a wall that is only taken to go on counts. */
-const TAKEN_SHARE = 0.8;
 
 /** Two faces nearer or farther than this make no inner wall, m. */
 const THINNEST_WALL = 0.04;
 const THICKEST_WALL = 0.4;
-/** Cosine of the angle up to which they are parallel, 3°. */
-const SAME_DIRECTION = 0.9986;
 
-/** A wall that crosses within this of a gap's end bounds it, m: with the thickness of a wall between. */
-const NEAR_END = 0.3;
-/** … if it stands so far off, m: more than a wall is thick. */
+/** A wall that crosses bounds a gap if it stands so far off it, m: more than a wall is thick. */
 const PASSING = 0.6;
 
-/** Between the faces of a wall hardly any column shows a floor or a ceiling. */
-const OPEN_SHARE = 0.15;
 /** So near behind the other face, m, a room begins and no other face stands … */
 const JUST_BEYOND = 0.1;
 /** … if the ceiling hangs over so much of it. */
@@ -30,15 +21,15 @@ const ROOM_SHARE = 0.4;
 const DEEPEST_NICHE = 0.75;
 
 /**
- * Support of faces with what no point shows but the building tells: a wall goes on behind furniture, over a passage, and where
- * its other face was seen.
+ * Support of faces with what no point shows but the building tells: a wall goes on behind furniture, over a passage, to the
+ * corner with another, and where its other face was seen.
  */
 export function takenSupport(
   faces: readonly Face[],
   supports: readonly FaceSupport[],
   seen: SeenSpace,
 ): FaceSupport[] {
-  return goOn(faces, withPartners(faces, supports, seen), supports, seen);
+  return withCorners(faces, goOn(faces, withPartners(faces, supports, seen), supports, seen), supports, seen);
 }
 
 /** Adds what a wall's other face tells of it. */
@@ -58,10 +49,6 @@ function withPartners(
     }
     return { ...support, shares };
   });
-}
-
-function isParallel(a: Face, b: Face): boolean {
-  return Math.abs(a.nx * b.nx + a.ny * b.ny) >= SAME_DIRECTION;
 }
 
 /** A bit of a face with a standing one behind it, signed distance along the face's normal. */
@@ -125,7 +112,7 @@ function goOn(
 ): FaceSupport[] {
   return supports.map((support, i) => {
     const { from, step } = support;
-    const shares = support.shares.map((share) => (share >= WALL_SHARE ? 1 : share));
+    const shares = support.shares.map((share, k) => (own[i].shares[k] >= WALL_SHARE ? 1 : share));
     let last = -1;
     for (let k = 0; k < shares.length; k++) {
       if (support.shares[k] < WALL_SHARE) continue;
@@ -190,11 +177,9 @@ function passesBy(
 ): boolean {
   const face = faces[i];
   return faces.some((other, j) => {
-    const sine = face.nx * other.ny - face.ny * other.nx;
-    if (Math.abs(sine) < 0.5) return false;
-    const x = (face.offset * other.ny - other.offset * face.ny) / sine;
-    const y = (face.nx * other.offset - other.nx * face.offset) / sine;
-    if (Math.abs(alongOf(face, x, y) - along) > NEAR_END) return false;
+    const place = crossingOf(face, other);
+    if (place === null || Math.abs(alongOf(face, ...place) - along) > NEAR_END) return false;
+    const [x, y] = place;
     const [px, py] = [x + side * PASSING * face.nx, y + side * PASSING * face.ny];
     return wallAt(own[j], alongOf(other, px, py));
   });
