@@ -5,10 +5,7 @@ import { FloorPlanError } from './errors.ts';
 import type { AutoNumberRow, NumberRow, ParamRow } from './param-rows.ts';
 import { type GivenValues, type Options, PARAM_NAMES, PARAMS, type ParamName } from './params.ts';
 import { readQuantity, unitWords } from './quantity.ts';
-import type { StageName } from './stages.ts';
-
-/** Stages whose parameters make the outline and what stands in it. */
-const OUTLINE_STAGES: readonly StageName[] = ['level', 'slice', 'boundary', 'regularise', 'secondary'];
+import { OUTLINE_STAGES } from './stages.ts';
 
 /**
  * Completes and checks what a person gave: the preset's values, then theirs. Lengths and areas become metres and square

@@ -13,6 +13,7 @@ import { regulariseBoundary } from './regularise.ts';
 import { findSecondary } from './secondary.ts';
 import { makeSlice } from './slice.ts';
 import { sayScale, sayUnit, sourceCoordinates } from './source-coordinates.ts';
+import { OUTLINE_STAGES } from './stages.ts';
 import type { FloorPlan, Frame, Scan } from './types.ts';
 import { findWallPoints } from './wall-columns.ts';
 
@@ -59,12 +60,13 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
         'room',
       ),
   );
+  if (building.length > 0) run.dropWarnings(OUTLINE_STAGES);
   return run.stage(
     'plan',
     options,
     (context) => {
       const parts = { source: scan.facts, cloud, kept, boundary, regularised, secondary, building, options };
-      return { ...makePlan(parts, { ...context, placeInSource }), warnings: [...run.warnings] };
+      return { ...makePlan(parts, { ...context, placeInSource }), warnings: run.warnings };
     },
     ({ storeys }) => countOf(storeys.length, 'storey'),
   );
