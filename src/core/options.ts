@@ -39,10 +39,16 @@ export function resolveOptions(given: GivenValues, { isSlice = false } = {}): Op
 
 /** Who changes how the outline is made wants to see it; else rooms tell more. */
 function methodFor(given: GivenValues): 'rooms' | 'outline' {
-  const isOfOutline = (name: ParamName) =>
-    OUTLINE_STAGES.includes(PARAMS[name].stage) &&
-    (given[name] ?? PARAMS[name].default) !== PARAMS[name].default;
-  return PARAM_NAMES.some(isOfOutline) ? 'outline' : 'rooms';
+  return outlineParams(given).length > 0 ? 'outline' : 'rooms';
+}
+
+/** The parameters given that make another outline than their defaults would. */
+export function outlineParams(given: GivenValues): ParamName[] {
+  return PARAM_NAMES.filter(
+    (name) =>
+      OUTLINE_STAGES.includes(PARAMS[name].stage) &&
+      (given[name] ?? PARAMS[name].default) !== PARAMS[name].default,
+  );
 }
 
 /**

@@ -1,8 +1,8 @@
-import { type Options, PARAMS, type ParamName } from '../core/params.ts';
+import { type Options, PARAMS } from '../core/params.ts';
+import { makeChoiceAbove } from './above-stages.ts';
 import { make, setText } from './make.ts';
 import type { Actions, Panel } from './model.ts';
-import { sayChoice } from './plain-words.ts';
-import { makeSwitch } from './switch.ts';
+import { sayLabel } from './plain-words.ts';
 
 type Preset = Options['preset'];
 
@@ -18,19 +18,11 @@ const RESERVATIONS: typeof PROMISES = {
 
 /** The start values of all parameters, one click each. */
 export function makePresetPicker(actions: Actions): Panel {
-  const { label, doc, choices } = PARAMS.preset;
-  const labels = Object.fromEntries(choices.map((choice) => [choice, sayChoice(choice)]));
-  const picker = makeSwitch<Preset>(label, labels as Record<Preset, string>, (preset) =>
-    actions.setPreset(preset),
-  );
+  const { doc } = PARAMS.preset;
   const words = make('p', { class: 'hint' });
+  const picker = makeChoiceAbove('preset', words, (preset) => actions.setPreset(preset));
   return {
-    node: make(
-      'div',
-      { class: 'preset', 'data-param': 'preset' },
-      make('div', { class: 'preset-line' }, make('span', {}, label), picker.node),
-      words,
-    ),
+    node: picker.node,
     show({ given, options, view }) {
       const preset = given.preset ?? 'auto';
       picker.set(preset);
@@ -40,10 +32,6 @@ export function makePresetPicker(actions: Actions): Panel {
       else setText(words, view ? `${doc} Now: ${options.preset}.` : doc);
     },
   };
-}
-
-function sayLabel(name: ParamName): string {
-  return `“${PARAMS[name].label}”`;
 }
 
 function exceptions(count: number): string {

@@ -5,6 +5,7 @@ import { makeExportMenu } from './export-menu.ts';
 import { icon } from './icon.ts';
 import { make, setAttribute } from './make.ts';
 import type { Actions, Panel } from './model.ts';
+import { makePlanMethodPicker } from './plan-method-picker.ts';
 import { makePresetPicker } from './preset-picker.ts';
 import { makeRunStatus } from './run-status.ts';
 import { makeStageRow } from './stage-row.ts';
@@ -49,7 +50,7 @@ export function makeRail(actions: Actions): Rail {
       actions.takeTool(tool);
     },
   };
-  const preset = makePresetPicker(actions);
+  const above = [makePresetPicker(actions), makePlanMethodPicker(actions)];
   const rows = STAGE_NAMES.map((stage) => makeStageRow(stage, leading));
   const showControl = (name: ParamName, selector = `#param-${name}`) => {
     unfoldTo(true);
@@ -59,7 +60,8 @@ export function makeRail(actions: Actions): Rail {
   const exports = makeExportMenu(actions);
   const heading = makeHeading(actions);
   const stages = make('div', { class: 'stages' }, ...rows.map((row) => row.node));
-  const body = make('div', { class: 'rail-body' }, warnings.node, heading.node, preset.node, stages);
+  const top = make('div', { class: 'above-stages' }, ...above.map((choice) => choice.node));
+  const body = make('div', { class: 'rail-body' }, warnings.node, heading.node, top, stages);
   const head = make('div', { class: 'rail-head' }, status.node, unfold);
   const node = make(
     'aside',
@@ -68,7 +70,7 @@ export function makeRail(actions: Actions): Rail {
     body,
     exports.node,
   );
-  const panels = [status, warnings, heading, preset, ...rows, exports];
+  const panels = [status, warnings, heading, ...above, ...rows, exports];
   return {
     node,
     showControl: (name) => showControl(name),

@@ -2,6 +2,7 @@ import type { ParamRow } from '../core/param-rows.ts';
 import { PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
 import { STAGE_NAMES, STAGES, type StageName } from '../core/stages.ts';
 import { formatDuration } from '../view/measure.ts';
+import { ABOVE_STAGES } from './above-stages.ts';
 import { makeControl } from './controls.ts';
 import { icon } from './icon.ts';
 import { makeLevelPicker } from './level-picker.ts';
@@ -72,8 +73,8 @@ export function makeStageRow(stage: StageName, actions: Actions): Panel {
 
 /** The way to its pictures, the small one, the controls, and those for few behind one more line. */
 function makeParts(stage: StageName, actions: Actions): Panel[] {
-  // The preset stands above the stages: it holds for all of them.
-  const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage && name !== 'preset');
+  const above: readonly ParamName[] = ABOVE_STAGES;
+  const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage && !above.includes(name));
   const isAdvanced = (name: ParamName) => (PARAMS[name] as ParamRow).advanced === true;
   const main = names.filter((name) => !isAdvanced(name)).map((name) => controlOf(name, actions));
   const more = names.filter(isAdvanced).map((name) => controlOf(name, actions));
