@@ -125,11 +125,13 @@ export interface Slice {
   readonly spacing: number;
 }
 
-/** A gap in a scanned wall that the boundary bridges instead of falling into the room. */
+/** A stretch of an outline that no point supports: a gap in a scanned wall that the boundary bridges, or a hidden wall. */
 export interface Gap {
   readonly from: readonly [x: number, y: number];
   readonly to: readonly [x: number, y: number];
   readonly width: number;
+  /** Name of the room whose outline it is of; the primary boundary has none. */
+  readonly room?: string;
 }
 
 /** The outline a boundary method finds, before regularisation. */
