@@ -8,18 +8,13 @@ import {
   type Path64,
   type Paths64,
 } from 'clipper2-ts';
+import { STEPS_PER_METRE } from './geometry/areas.ts';
 import { nestPaths } from './geometry/nest-paths.ts';
 import { orientRing, perimeter, signedArea } from './geometry/rings.ts';
 import type { Options } from './params.ts';
 import type { Polygon, Ring } from './types.ts';
 
-/**
- * Grid of the offsets: the sweep is exact on integers, and a micrometre is far below what a plan can mean.
- */
-const STEPS_PER_METRE = 1e6;
-/**
- * Corners are mitred up to this many offsets away, which takes angles down to 60°; sharper ones are squared.
- */
+/** Corners are mitred up to this many offsets away, which takes angles down to 60°; sharper ones are squared. */
 const MITRE_LIMIT = 2;
 /** A ring thinner than this on average, m, is debris of rounding. */
 const DEBRIS_WIDTH = 1e-5;

@@ -1,4 +1,4 @@
-import { boundsOf } from '../core/robust-scale.ts';
+import { cloudBounds } from '../core/cloud-bounds.ts';
 import { planPlace, sourceCoordinates } from '../core/source-coordinates.ts';
 import type { Frame } from '../core/types.ts';
 import type { Placement } from './pan-zoom.ts';
@@ -60,7 +60,7 @@ export function flatten(
   [width, height]: Size,
   margin: number,
 ): { xy: Float64Array; planToSheet: SheetTransform } {
-  const { min: low, max: high } = boundsOf(positions);
+  const { min: low, max: high } = cloudBounds(positions);
   const extent = high.map((value, axis) => value - low[axis]);
   const flat = extent.indexOf(Math.min(...extent));
   const [u, v] = [0, 1, 2].filter((axis) => axis !== flat);
