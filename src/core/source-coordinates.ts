@@ -1,4 +1,4 @@
-import type { Frame, FrameUnit } from './types.ts';
+import type { Frame, FrameUnit, Vec2 } from './types.ts';
 
 /** What a written coordinate may be off by, m. */
 const WRITTEN = 1e-4;
@@ -31,12 +31,16 @@ export function sayCrs(crs: string): string {
 }
 
 /** The way back: a place in source units and coordinates, seen from above, as plan metres. */
-export function planPlace(
-  { planOrigin, metresPerUnit }: Frame,
-  sourceX: number,
-  sourceY: number,
-): readonly [x: number, y: number] {
+export function planPlace({ planOrigin, metresPerUnit }: Frame, sourceX: number, sourceY: number): Vec2 {
   return [(sourceX - planOrigin[0]) * metresPerUnit, (sourceY - planOrigin[1]) * metresPerUnit];
+}
+
+/** A place of the plan as a person finds it in the source: `3.20, 0.00`. @param precision m */
+export function sayCoordinates(frame: Frame, [x, y]: Vec2, precision: number): string {
+  const to = sourceCoordinates(frame, precision);
+  // Twice, since rounding may leave a negative zero.
+  const say = (value: number) => Number(value.toFixed(to.digits)).toFixed(to.digits);
+  return `${say(to.x(x))}, ${say(to.y(y))}`;
 }
 
 /** @param precision m */

@@ -2,10 +2,11 @@ import type { Gap } from '../../core/types.ts';
 import { formatLength } from '../../view/measure.ts';
 import type { SheetPlace } from '../../view/sheet.ts';
 import type { StretchMark } from '../../view/sheet-marks.ts';
-import type { Actions, Model, Stretch } from '../model.ts';
+import type { Actions, Model } from '../model.ts';
 import type { PlanTool } from '../plan-tool.ts';
+import { lengthOf, type Stretch } from '../stretch.ts';
 import { DoorBar } from './door-bar.ts';
-import { type PlanDoor, PlanDoors, widthOf } from './plan-doors.ts';
+import { type PlanDoor, PlanDoors } from './plan-doors.ts';
 
 /** What a press at some place does. */
 interface Aim {
@@ -75,14 +76,14 @@ export class DoorTool implements PlanTool {
     const gap = doors.gapAt(at, reach);
     const opening = gap ? doors.fitGap(gap, size.height) : doors.fit(at, size);
     if (!opening) return null;
-    const width = this.#say(widthOf(opening));
+    const width = this.#say(lengthOf(opening));
     const words = gap ? `Make a door of this gap, ${width} wide.` : `Cut a door here, ${width} wide.`;
     return { kind: 'cut', stretch: opening, words, doors: doors.with(gap ?? opening, size.height) };
   }
 
   #aimAtDoor(door: PlanDoor): Aim {
     const { opening } = door;
-    const words = `Take this door away, ${this.#say(widthOf(opening))} wide.`;
+    const words = `Take this door away, ${this.#say(lengthOf(opening))} wide.`;
     return { kind: 'remove', stretch: opening, words, doors: this.#doors!.without(door) };
   }
 

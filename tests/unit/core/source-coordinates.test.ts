@@ -1,5 +1,16 @@
 import { expect, it } from 'vitest';
-import { sayCrs, sayScale } from '../../../src/core/source-coordinates.ts';
+import { sayCoordinates, sayCrs, sayScale } from '../../../src/core/source-coordinates.ts';
+import type { Frame } from '../../../src/core/types.ts';
+
+const FRAME: Frame = {
+  origin: [0, 0, 0],
+  planOrigin: [0, 0, 0],
+  rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1],
+  metresPerUnit: 1,
+  unit: 'm',
+  up: 'z',
+  tilt: 0,
+};
 
 it('the unit is a fact in a few words', () => {
   expect(sayScale('ft', 0.3048)).toBe('in ft');
@@ -17,4 +28,10 @@ it('a long description of a coordinate system is cut', () => {
   const words = sayCrs(`+proj=tmerc ${'+lat_0=0 '.repeat(20)}`);
   expect(words).toHaveLength(40);
   expect(words).toMatch(/^\+proj=tmerc \+lat_0=0 .*…$/);
+});
+
+it('a place is told in source units and coordinates, and no zero is negative', () => {
+  const frame = { ...FRAME, planOrigin: [691_000, 0, 0], metresPerUnit: 0.001, unit: 'mm' } as const;
+  expect(sayCoordinates(frame, [1.2344, 0.5], 0.01)).toBe('692234, 500');
+  expect(sayCoordinates(FRAME, [-0.001, 2], 0.01)).toBe('0.00, 2.00');
 });
