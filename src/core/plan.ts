@@ -7,7 +7,7 @@ import { areaOf } from './geometry/areas.ts';
 import { perimeter } from './geometry/rings.ts';
 import { storeyRange } from './level.ts';
 import type { Options } from './params.ts';
-import { placeDoors } from './place-doors.ts';
+import { doorOutlines, placeDoors } from './place-doors.ts';
 import { fillsInside, penReach, strokeContour } from './plan-walls.ts';
 import type {
   Boundary,
@@ -65,8 +65,8 @@ function storeyOfRooms(
 ): Storey {
   const storey = raiseStorey(found, index, options);
   if (index > 0) return storey;
-  const outlines = storey.rooms.map(({ outline, confidence }) => ({ polygon: outline, confidence }));
-  const site = { outlines, gaps: storey.gaps, frame: cloud.frame, height: storey.height, options };
+  const { gaps, height } = storey;
+  const site = { outlines: doorOutlines(storey), gaps, frame: cloud.frame, height, options };
   return { ...storey, openings: [...storey.openings, ...placeDoors(site, context)] };
 }
 

@@ -4,7 +4,7 @@ import { formatLength } from '../../view/measure.ts';
 import { make } from '../make.ts';
 import type { Actions, Model, Panel } from '../model.ts';
 import { lengthOf, type Stretch } from '../stretch.ts';
-import { PlanDoors } from './plan-doors.ts';
+import { isLowest, PlanDoors } from './plan-doors.ts';
 
 interface Entry {
   /** What it is, with its size. */
@@ -40,8 +40,8 @@ export function makeDoorList(actions: Actions): Panel {
 }
 
 function entriesOf({ view, options, storey, unit }: Model): Entry[] {
-  if (!view) return [];
-  const doors = new PlanDoors(view.plan, Math.min(storey, view.plan.storeys.length - 1), options.doors);
+  if (!view || !isLowest(view.plan, storey)) return [];
+  const doors = new PlanDoors(view.plan, options.doors);
   const { cuts } = parseDoors(options.doors);
   const ofGaps = doors.gaps.map((gap): Entry => {
     const door = doors.inGap(gap);

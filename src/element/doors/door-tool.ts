@@ -6,7 +6,7 @@ import type { Actions, Model } from '../model.ts';
 import type { PlanTool } from '../plan-tool.ts';
 import { lengthOf, type Stretch } from '../stretch.ts';
 import { DoorBar } from './door-bar.ts';
-import { type PlanDoor, PlanDoors } from './plan-doors.ts';
+import { isLowest, type PlanDoor, PlanDoors } from './plan-doors.ts';
 
 /** What a press at some place does. */
 interface Aim {
@@ -18,6 +18,7 @@ interface Aim {
 }
 
 const WALLS = 'Press a wall to cut a door, a door to take it away.';
+const ABOVE = 'Doors are cut in the lowest storey.';
 const WALLS_AND_GAPS = 'Press a wall or a dashed gap to cut a door, a door to take it away.';
 
 /** Cuts doors in the drawing ([Stojanovic19] §3): a wall or a bridged gap gets one, a door goes. */
@@ -49,22 +50,25 @@ export class DoorTool implements PlanTool {
       (before.tool === 'doors') === isCutting &&
       before.marked === marked;
     if (isSame) return;
-    const place = Math.min(storey, (view?.plan.storeys.length ?? 1) - 1);
-    this.#doors = view && new PlanDoors(view.plan, place, options.doors);
+    this.#doors = view && isLowest(view.plan, storey) ? new PlanDoors(view.plan, options.doors) : null;
     this.hover(null);
   }
 
   hover(place: SheetPlace | null): void {
     this.#aim = place && this.#aimAt(place);
-    const resting = this.#freeGaps().length > 0 ? WALLS_AND_GAPS : WALLS;
-    this.bar.say(this.#aim?.words ?? resting);
+    this.bar.say(this.#aim?.words ?? this.#resting);
     this.#redraw();
   }
 
   press(place: SheetPlace): void {
     const aim = this.#aimAt(place);
     if (aim) this.#actions.change({ doors: aim.doors }, true);
-    else this.bar.say('No wall here long enough for a door.');
+    else this.bar.say(this.#doors ? 'No wall here long enough for a door.' : this.#resting);
+  }
+
+  get #resting(): string {
+    if (!this.#doors) return ABOVE;
+    return this.#freeGaps().length > 0 ? WALLS_AND_GAPS : WALLS;
   }
 
   #aimAt({ at, reach }: SheetPlace): Aim | null {

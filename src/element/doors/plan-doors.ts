@@ -1,5 +1,5 @@
 import { type DoorCut, formatDoors, isDoorSize, parseDoors } from '../../core/doors.ts';
-import { placeDoors } from '../../core/place-doors.ts';
+import { doorOutlines, placeDoors } from '../../core/place-doors.ts';
 import { sayCoordinates, sayUnit, sourceCoordinates } from '../../core/source-coordinates.ts';
 import type { FloorPlan, Gap, Opening, Storey, Vec2 } from '../../core/types.ts';
 import { directionOf, lengthOf, middleOf, type Stretch } from '../stretch.ts';
@@ -24,7 +24,7 @@ const WRITTEN_DIGITS = 3;
 const SAID = 0.01;
 
 /**
- * The doors of one storey as the parameter `doors` says them, and what one more or less makes of the parameter. Every
+ * The doors of the lowest storey, which alone gets any, as the parameter `doors` says them, and what one more or less makes of the parameter. Every
  * door is placed by the core's own rule, so what a person sees before a cut is what the plan gets.
  */
 export class PlanDoors {
@@ -35,9 +35,9 @@ export class PlanDoors {
   readonly #text: string;
 
   /** @param text the parameter `doors`; it may be ahead of the plan while a run is under way */
-  constructor(plan: FloorPlan, storey: number, text: string) {
+  constructor(plan: FloorPlan, text: string) {
     this.#plan = plan;
-    this.#storey = plan.storeys[storey];
+    [this.#storey] = plan.storeys;
     this.#text = text;
     const { gaps, cuts } = parseDoors(text);
     const ofGaps = (gaps ? this.gaps : []).map((gap) => this.#place('gaps', [gap]));
@@ -127,8 +127,8 @@ export class PlanDoors {
   /** One entry of the parameter as the core places it. */
   #place(doors: string, gaps: readonly Gap[] = []): Opening | null {
     const { frame, options } = this.#plan;
-    const { primary, height } = this.#storey;
-    const outlines = primary.map((polygon) => ({ polygon, confidence: 1 }));
+    const { height } = this.#storey;
+    const outlines = doorOutlines(this.#storey);
     const site = { outlines, gaps, frame, height, options: { ...options, doors } };
     return placeDoors(site, { warn: ignore })[0] ?? null;
   }
@@ -141,6 +141,11 @@ export class PlanDoors {
     const deep = this.#plan.options.wallThickness;
     return along >= -reach && along <= lengthOf(stretch) + reach && aside <= deep + reach;
   }
+}
+
+/** Whether a storey shown is the one that gets doors; a number beyond the last stands for the last. */
+export function isLowest({ storeys }: FloorPlan, storey: number): boolean {
+  return storey === 0 || storeys.length === 1;
 }
 
 function ofOrigin(kind: 'gap' | 'cut', openings: readonly (Opening | null)[]): PlanDoor[] {
