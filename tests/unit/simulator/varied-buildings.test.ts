@@ -1,27 +1,19 @@
 import { describe, expect, it } from 'vitest';
-import { footprint, type Storey } from '../../../fixtures/simulator/building.ts';
+import { footprint } from '../../../fixtures/simulator/building.ts';
 import {
   contains,
   convexOverlap,
   distanceToRing,
   insetEach,
-  type Ring,
   rectangle,
   signedArea,
 } from '../../../fixtures/simulator/ring.ts';
-import { surfacesOf } from '../../../fixtures/simulator/surfaces.ts';
 import { CORPUS } from '../../accuracy/corpus.ts';
 import { expectValidRing } from '../../invariants.ts';
+import { flat, ringsOf, roomsWithoutDoor, storeysOf, wallsAcross } from './storeys.ts';
 
 const specs = CORPUS.map(({ spec }) => spec());
-const storeys = specs.flatMap(({ name, building }) =>
-  building.storeys.map((storey, i) => ({ name: `${name}/${i}`, storey })),
-);
-const flat = (ring: Ring): Float64Array => Float64Array.from(ring.flat());
-
-function ringsOf({ rooms, interiorOutline, outer, columns, furniture }: Storey): Ring[] {
-  return [...rooms, ...furniture].map(({ ring }) => ring).concat([interiorOutline, outer], columns);
-}
+const storeys = storeysOf(specs.map(({ building }, i) => ({ ...building, name: specs[i].name })));
 
 describe('the corpus', () => {
   it('has sixty buildings and more, half of them kept back', () => {
@@ -56,18 +48,8 @@ describe('the corpus', () => {
 
   it('has openings that cut both faces of their wall', () => {
     for (const { name, storey } of storeys) {
-      const { quads } = surfacesOf(storey);
       for (const opening of storey.openings) {
-        const height = storey.floor + (opening.sill + opening.head) / 2;
-        const hole = footprint(opening, 0.01);
-        const inTheWay = quads.filter(
-          ({ kind, low, high, a, b }) =>
-            (kind === 'wall' || kind === 'facade') &&
-            low < height &&
-            high > height &&
-            contains(hole, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2),
-        );
-        expect(inTheWay, name).toEqual([]);
+        expect(wallsAcross(storey, opening), name).toEqual([]);
         expect(opening.head, name).toBeLessThanOrEqual(storey.height);
         expect(opening.head - opening.sill, name).toBeGreaterThan(0.9);
       }
@@ -75,13 +57,7 @@ describe('the corpus', () => {
   });
 
   it('has a door or passage to every room', () => {
-    for (const { name, storey } of storeys) {
-      const doors = storey.openings.filter(({ kind }) => kind !== 'window');
-      for (const { ring } of storey.rooms) {
-        const touches = doors.some((door) => footprint(door, 0.02).some(([x, y]) => contains(ring, x, y)));
-        expect(touches, name).toBe(true);
-      }
-    }
+    for (const { name, storey } of storeys) expect(roomsWithoutDoor(storey), name).toEqual([]);
   });
 
   it('has columns and furniture in rooms, clear of doors', () => {
