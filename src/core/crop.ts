@@ -1,7 +1,7 @@
 import { cloudBounds } from './cloud-bounds.ts';
 import { type CropBox, formatCrop, parseCrop } from './crop-box.ts';
 import { FloorPlanError } from './errors.ts';
-import { checkSpread } from './frame/check-spread.ts';
+import { checkSpread, FEWEST_POINTS } from './frame/check-spread.ts';
 import { findHeightPlanes } from './frame/height-planes.ts';
 import { FLOOR_COSINE, refinedPlanes } from './frame/refined-planes.ts';
 import { surfacePatches } from './frame/surface-patches.ts';
@@ -9,8 +9,6 @@ import type { Options } from './params.ts';
 import { planPlace, sayUnit } from './source-coordinates.ts';
 import type { Frame, PointAttributes, PointCloud } from './types.ts';
 
-/** Fewer points make no outline. */
-const FEWEST_POINTS = 3;
 const HINT = 'Draw the box over the scan; none takes it away.';
 
 /**
