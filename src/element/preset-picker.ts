@@ -16,6 +16,13 @@ const RESERVATIONS: typeof PROMISES = {
   paper: ` It has none for ${sayLabel('openingLength')}, ${sayLabel('bridgeGap')} and ${sayLabel('floorSlab')}, which stay ours; with ${sayLabel('bridgeGap')} at 0 the outline falls through doors, as the paper’s does.`,
 };
 
+/** What the automatic choice takes them for. */
+const SCANS: Readonly<Record<Preset, string>> = {
+  auto: '',
+  building: 'for a 3D scan',
+  paper: 'for a ready slice',
+};
+
 /** The start values of all parameters, one click each. */
 export function makePresetPicker(actions: Actions): Panel {
   const { doc } = PARAMS.preset;
@@ -29,7 +36,7 @@ export function makePresetPicker(actions: Actions): Panel {
       const others = Object.keys(given).length - (given.preset === undefined ? 0 : 1);
       if (preset !== 'auto')
         setText(words, `${PROMISES[preset]}${exceptions(others)}.${RESERVATIONS[preset]}`);
-      else setText(words, view ? `${doc} Now: ${options.preset}.` : doc);
+      else setText(words, view ? `Now: ${options.preset}, ${SCANS[options.preset]}.` : doc);
     },
   };
 }
