@@ -1,16 +1,14 @@
+import { cloudBounds } from './cloud-bounds.ts';
 import { type CropBox, formatCrop, parseCrop } from './crop-box.ts';
 import { FloorPlanError } from './errors.ts';
-import { checkSpread } from './frame/check-spread.ts';
+import { checkSpread, FEWEST_POINTS } from './frame/check-spread.ts';
 import { findHeightPlanes } from './frame/height-planes.ts';
 import { FLOOR_COSINE, refinedPlanes } from './frame/refined-planes.ts';
 import { surfacePatches } from './frame/surface-patches.ts';
 import type { Options } from './params.ts';
-import { boundsOf } from './robust-scale.ts';
 import { planPlace, sayUnit } from './source-coordinates.ts';
 import type { Frame, PointAttributes, PointCloud } from './types.ts';
 
-/** Fewer points make no outline. */
-const FEWEST_POINTS = 3;
 const HINT = 'Draw the box over the scan; none takes it away.';
 
 /**
@@ -28,7 +26,7 @@ export function cropCloud(cloud: PointCloud, options: Pick<Options, 'crop'>): Po
   if (kept.length === cloud.positions.length / 3) return cloud;
   const positions = rowsOf(cloud.positions, kept, 3);
   checkSpread(positions, HINT);
-  const { min, max } = boundsOf(positions);
+  const { min, max } = cloudBounds(positions);
   const isFlat = min[2] === max[2];
   return {
     ...cloud,

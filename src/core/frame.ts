@@ -1,3 +1,4 @@
+import { cloudBounds, largestExtent, trimmedBounds } from './cloud-bounds.ts';
 import type { StageContext } from './context.ts';
 import { checkSpread } from './frame/check-spread.ts';
 import { fitTilt, MOST_TILT } from './frame/fit-tilt.ts';
@@ -15,7 +16,6 @@ import {
 } from './frame/rotation.ts';
 import { type SurfacePatches, surfacePatches } from './frame/surface-patches.ts';
 import type { Options } from './params.ts';
-import { boundsOf, largestExtent, trimmedBounds } from './robust-scale.ts';
 import type { Axis, Frame, PointCloud, Scan, Vec3 } from './types.ts';
 
 /**
@@ -126,7 +126,7 @@ function levelCloud(scan: Scan, up: Axis, unit: JudgedUnit, reason: string): Poi
 
 /** The axis along which all points are equal, of those the person allows. */
 function findFlatAxis({ positions }: Scan, { up }: Options): Axis | null {
-  const { min, max } = boundsOf(positions);
+  const { min, max } = cloudBounds(positions);
   const allowed: readonly Axis[] = up === 'auto' ? ['z', 'y', 'x'] : [up];
   return allowed.find((axis) => axisVector(axis).every((u, k) => u === 0 || max[k] === min[k])) ?? null;
 }

@@ -1,5 +1,6 @@
 import type { StageContext } from './context.ts';
 import { FloorPlanError } from './errors.ts';
+import { FEWEST_POINTS } from './frame/check-spread.ts';
 import type { LevelChoice } from './param-rows.ts';
 import type { Options } from './params.ts';
 import { DEVIATION_BY_MEDIAN, medianOf } from './robust-scale.ts';
@@ -11,8 +12,6 @@ const PLANE_LOOK = 0.1;
 const PLANE_DEVIATIONS = 3;
 /** … and at least those within this, m: skirting, door sills and the voxels of a thinned cloud. */
 const LEAST_TOLERANCE = 0.03;
-/** Fewer points make no outline. */
-const FEWEST_POINTS = 3;
 
 /** The height levels of a cloud and the points of the one chosen. */
 export interface ChosenLevel {
@@ -178,7 +177,7 @@ function emptyLevel([low, high]: readonly [number, number], points: number): Flo
   const band = `${Number(low.toPrecision(3))} to ${Number(high.toPrecision(3))} m above the floor`;
   return new FloorPlanError(
     'input/too-few-points',
-    `level: expected at least 3 points from ${band}, found ${points}`,
+    `level: expected at least ${FEWEST_POINTS} points from ${band}, found ${points}`,
     {
       hint: 'Choose another level or a wider height band.',
       detail: { option: 'level', low, high, points },

@@ -5,10 +5,7 @@ import { FloorPlanError } from './errors.ts';
 import type { AutoNumberRow, NumberRow, ParamRow } from './param-rows.ts';
 import { type GivenValues, type Options, PARAM_NAMES, PARAMS, type ParamName } from './params.ts';
 import { readQuantity, unitWords } from './quantity.ts';
-import type { StageName } from './stages.ts';
-
-/** Stages whose parameters make the outline and what stands in it. */
-const OUTLINE_STAGES: readonly StageName[] = ['level', 'slice', 'boundary', 'regularise', 'secondary'];
+import { OUTLINE_STAGES } from './stages.ts';
 
 /**
  * Completes and checks what a person gave: the preset's values, then theirs. Lengths and areas become metres and square
@@ -42,10 +39,16 @@ export function resolveOptions(given: GivenValues, { isSlice = false } = {}): Op
 
 /** Who changes how the outline is made wants to see it; else rooms tell more. */
 function methodFor(given: GivenValues): 'rooms' | 'outline' {
-  const isOfOutline = (name: ParamName) =>
-    OUTLINE_STAGES.includes(PARAMS[name].stage) &&
-    (given[name] ?? PARAMS[name].default) !== PARAMS[name].default;
-  return PARAM_NAMES.some(isOfOutline) ? 'outline' : 'rooms';
+  return outlineParams(given).length > 0 ? 'outline' : 'rooms';
+}
+
+/** The parameters given that make another outline than their defaults would. */
+export function outlineParams(given: GivenValues): ParamName[] {
+  return PARAM_NAMES.filter(
+    (name) =>
+      OUTLINE_STAGES.includes(PARAMS[name].stage) &&
+      (given[name] ?? PARAMS[name].default) !== PARAMS[name].default,
+  );
 }
 
 /**

@@ -1,10 +1,11 @@
 import { CellTable } from './cell-table.ts';
+import { largestExtent, trimmedBounds } from './cloud-bounds.ts';
 import type { StageContext } from './context.ts';
 import { indexCells } from './outliers/cell-index.ts';
 import { flagFarComponents } from './outliers/far-components.ts';
 import { flagLonely, meanNeighbourDistance } from './outliers/neighbour-search.ts';
 import type { Options } from './params.ts';
-import { largestExtent, medianOf, trimmedBounds } from './robust-scale.ts';
+import { medianOf } from './robust-scale.ts';
 import type { PointCloud } from './types.ts';
 
 /** Points whose neighbour distances stand for all. */

@@ -39,3 +39,13 @@ export const PARAM_NAMES = Object.keys(PARAMS) as readonly ParamName[];
 export function kebabCase(name: string): string {
   return name.replace(/(?<=[a-z])(?=[A-Z])|(?<=[a-z])(?=\d)|(?<=\d)(?=[A-Z])/g, '-').toLowerCase();
 }
+
+/** `bridgeGap` among words; names of a single word are plain English and stay. */
+const NAME_AMONG_WORDS = /\b[a-z]+(?:[A-Z0-9][A-Za-z0-9]*)+\b/g;
+
+/** Warnings and hints name parameters as a script would; this says them as another reader knows them. */
+export function renameParams(text: string, say: (name: ParamName) => string): string {
+  return text.replace(NAME_AMONG_WORDS, (name) =>
+    Object.hasOwn(PARAMS, name) ? say(name as ParamName) : name,
+  );
+}

@@ -72,10 +72,9 @@ export class StageCache {
 /** One pass through {@link STAGES} with one set of options. */
 export class PipelineRun {
   readonly stages: StageReport[] = [];
-  /** Of all stages so far, the one under way included. */
-  readonly warnings: Warning[] = [];
   /** Of all stages done so far. */
   readonly results: { -readonly [S in StageName]?: StageResults[S] } = {};
+  readonly #warned = new Map<StageName, readonly Warning[]>();
   readonly #cache: StageCache;
   readonly #hooks: PipelineHooks;
   readonly #control: RunControl;
@@ -85,6 +84,16 @@ export class PipelineRun {
     this.#cache = cache;
     this.#hooks = hooks;
     this.#control = control;
+  }
+
+  /** Of all stages so far, the one under way included, but for those whose warnings were dropped. */
+  get warnings(): Warning[] {
+    return [...this.#warned.values()].flat();
+  }
+
+  /** Forgets what stages warned of in this run: nothing of what they made is in its plan. */
+  dropWarnings(stages: readonly StageName[]): void {
+    for (const stage of stages) this.#warned.delete(stage);
   }
 
   /**
@@ -102,7 +111,7 @@ export class PipelineRun {
     this.#key = `${this.#key}\n${stageKey(name, options)}`;
     const cached = this.#cache.get(name, this.#key);
     if (cached) {
-      this.warnings.push(...cached.warnings);
+      this.#warned.set(name, cached.warnings);
       this.stages.push({ name, ms: 0, isCached: true, outcome: cached.outcome });
       this.results[name] = cached.output as StageResults[S];
       return cached.output as StageResults[S];
@@ -111,11 +120,11 @@ export class PipelineRun {
     this.#throwIfCancelled();
     this.#progress(name, 0);
     const warnings: Warning[] = [];
+    this.#warned.set(name, warnings);
     const start = this.#hooks.now();
     const output = await work({
       warn: (warning) => {
         warnings.push(warning);
-        this.warnings.push(warning);
       },
       progress: (share) => this.#progress(name, share),
       strokeTest: this.#hooks.strokeTest,

@@ -12,8 +12,9 @@ import { makePlan } from './plan.ts';
 import { regulariseBoundary } from './regularise.ts';
 import { findSecondary } from './secondary.ts';
 import { makeSlice } from './slice.ts';
-import { sayScale, sayUnit, sourceCoordinates } from './source-coordinates.ts';
-import type { FloorPlan, Frame, Scan } from './types.ts';
+import { sayCoordinates, sayScale, sayUnit } from './source-coordinates.ts';
+import { OUTLINE_STAGES } from './stages.ts';
+import type { FloorPlan, Scan } from './types.ts';
 import { findWallPoints } from './wall-columns.ts';
 
 /** Places told to a person, m: a centimetre finds any gap. */
@@ -27,7 +28,8 @@ const TOLD_PRECISION = 0.01;
  */
 export async function planScan(scan: Scan, options: Options, run: PipelineRun): Promise<FloorPlan> {
   const { cloud, kept, slice } = await sliceScan(scan, options, run);
-  const placeInSource = (x: number, y: number) => tellPlace(cloud.frame, x, y);
+  const placeInSource = (x: number, y: number) =>
+    `(${sayCoordinates(cloud.frame, [x, y], TOLD_PRECISION)}) ${sayUnit(cloud.frame.unit)}`;
   const boundary = await run.stage(
     'boundary',
     options,
@@ -59,12 +61,13 @@ export async function planScan(scan: Scan, options: Options, run: PipelineRun): 
         'room',
       ),
   );
+  if (building.length > 0) run.dropWarnings(OUTLINE_STAGES);
   return run.stage(
     'plan',
     options,
     (context) => {
       const parts = { source: scan.facts, cloud, kept, boundary, regularised, secondary, building, options };
-      return { ...makePlan(parts, { ...context, placeInSource }), warnings: [...run.warnings] };
+      return { ...makePlan(parts, { ...context, placeInSource }), warnings: run.warnings };
     },
     ({ storeys }) => countOf(storeys.length, 'storey'),
   );
@@ -108,12 +111,4 @@ async function sliceScan(scan: Scan, options: Options, run: PipelineRun) {
     ({ xy }) => countOf(xy.length / 2, 'point'),
   );
   return { cloud, kept, slice };
-}
-
-/** Seen from above: (691823.12, 5336027.50) m. */
-function tellPlace(frame: Frame, x: number, y: number): string {
-  const to = sourceCoordinates(frame, TOLD_PRECISION);
-  // Twice, since rounding may leave a negative zero.
-  const read = (value: number) => Number(value.toFixed(to.digits)).toFixed(to.digits);
-  return `(${read(to.x(x))}, ${read(to.y(y))}) ${sayUnit(frame.unit)}`;
 }

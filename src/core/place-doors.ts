@@ -4,7 +4,7 @@ import { directionAt, type Foot, nearestFoot, straightReach } from './geometry/r
 import type { Options } from './params.ts';
 import { penReach } from './plan-walls.ts';
 import { planPlace } from './source-coordinates.ts';
-import type { Frame, Gap, Opening, Polygon, Ring, Warning } from './types.ts';
+import type { Frame, Gap, Opening, Polygon, Ring, Storey, Warning } from './types.ts';
 
 /** Bridged gaps this wide may be doors: from a narrow leaf to a double door, m. */
 const DOOR_GAP = [0.6, 3] as const;
@@ -26,6 +26,13 @@ export interface DoorSite {
   /** Of the walls, m. */
   readonly height: number;
   readonly options: Options;
+}
+
+/** The outlines that a storey's walls stand along: those of its rooms, without rooms its own. */
+export function doorOutlines({ rooms, primary }: Pick<Storey, 'rooms' | 'primary'>): DoorSite['outlines'] {
+  return rooms.length > 0
+    ? rooms.map(({ outline, confidence }) => ({ polygon: outline, confidence }))
+    : primary.map((polygon) => ({ polygon, confidence: 1 }));
 }
 
 interface Wish {

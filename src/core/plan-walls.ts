@@ -5,9 +5,7 @@ import { signedArea } from './geometry/rings.ts';
 import type { Options } from './params.ts';
 import type { Polygon, Ring } from './types.ts';
 
-/**
- * Corners are mitred up to this many offsets away, which takes angles down to 60°; sharper ones are squared.
- */
+/** Corners are mitred up to this many offsets away, which takes angles down to 60°; sharper ones are squared. */
 const MITRE_LIMIT = 2;
 /** A ring thinner than this on average, m, is debris of rounding. */
 const DEBRIS_WIDTH = 1e-5;

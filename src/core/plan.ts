@@ -1,13 +1,14 @@
 import type { StoreyPlan } from './building/plan-storey.ts';
 import { raiseStorey } from './building/raise-storey.ts';
+import { largestExtent, trimmedBounds } from './cloud-bounds.ts';
 import type { StageContext } from './context.ts';
 import { EXTENT } from './frame/judge-unit.ts';
-import { perimeter, polygonArea } from './geometry/rings.ts';
+import { areaOf } from './geometry/areas.ts';
+import { perimeter } from './geometry/rings.ts';
 import { storeyRange } from './level.ts';
 import type { Options } from './params.ts';
-import { placeDoors } from './place-doors.ts';
+import { doorOutlines, placeDoors } from './place-doors.ts';
 import { fillsInside, penReach, strokeContour } from './plan-walls.ts';
-import { largestExtent, trimmedBounds } from './robust-scale.ts';
 import type {
   Boundary,
   FloorPlan,
@@ -64,8 +65,8 @@ function storeyOfRooms(
 ): Storey {
   const storey = raiseStorey(found, index, options);
   if (index > 0) return storey;
-  const outlines = storey.rooms.map(({ outline, confidence }) => ({ polygon: outline, confidence }));
-  const site = { outlines, gaps: storey.gaps, frame: cloud.frame, height: storey.height, options };
+  const { gaps, height } = storey;
+  const site = { outlines: doorOutlines(storey), gaps, frame: cloud.frame, height, options };
   return { ...storey, openings: [...storey.openings, ...placeDoors(site, context)] };
 }
 
@@ -148,7 +149,7 @@ function warnOfNoRoom(
   { positions, reasons }: PointCloud,
   { warn }: Pick<StageContext, 'warn'>,
 ): void {
-  const area = polygons.reduce((sum, polygon) => sum + polygonArea(polygon), 0);
+  const area = areaOf(polygons);
   if (area >= LEAST_ROOM) return;
   const extent = largestExtent(trimmedBounds(positions));
   const isTiny = extent < EXTENT.least;

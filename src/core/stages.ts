@@ -7,6 +7,8 @@ export interface StageRow {
   readonly source: string;
   /** Share of a usual run's time, for progress; they sum to 1. */
   readonly share: number;
+  /** It makes the outline and what stands in it, which a plan of rooms leaves aside. */
+  readonly isOfOutline?: true;
 }
 
 export const STAGES = {
@@ -39,30 +41,35 @@ export const STAGES = {
     doc: 'Three height levels are measured and one is chosen; floor and ceiling are left out.',
     source: '[Stojanovic19] §3',
     share: 0.05,
+    isOfOutline: true,
   },
   slice: {
     label: 'Slice',
     doc: 'The level is sampled uniformly and seen from above.',
     source: '[Stojanovic19] §4',
     share: 0.05,
+    isOfOutline: true,
   },
   boundary: {
     label: 'Outline',
     doc: 'The primary boundary: a concave hull around the slice.',
     source: '[Stojanovic19] §3',
     share: 0.1,
+    isOfOutline: true,
   },
   regularise: {
     label: 'Straighten',
     doc: 'Radial distance, Douglas-Peucker and Visvalingam passes simplify the outline; its corners are restored.',
     source: '[Stojanovic19] §3',
     share: 0.02,
+    isOfOutline: true,
   },
   secondary: {
     label: 'Structures',
     doc: 'Secondary boundaries: columns, shafts and cubicles inside the outline.',
     source: '[Stojanovic19] §3.1',
     share: 0.05,
+    isOfOutline: true,
   },
   rooms: {
     label: 'Rooms',
@@ -87,3 +94,6 @@ export const STAGES = {
 export type StageName = keyof typeof STAGES;
 
 export const STAGE_NAMES = Object.keys(STAGES) as readonly StageName[];
+
+/** Stages of the paper's chain from the level on. */
+export const OUTLINE_STAGES = STAGE_NAMES.filter((name) => (STAGES[name] as StageRow).isOfOutline);

@@ -5,6 +5,7 @@
  */
 import type { Options } from './params.ts';
 
+export type Vec2 = readonly [x: number, y: number];
 export type Vec3 = readonly [x: number, y: number, z: number];
 export type Unit = 'm' | 'cm' | 'mm' | 'ft' | 'us-ft' | 'px';
 /** A unit, or one without a name: its `metresPerUnit` was given. */
@@ -125,11 +126,13 @@ export interface Slice {
   readonly spacing: number;
 }
 
-/** A gap in a scanned wall that the boundary bridges instead of falling into the room. */
+/** A stretch of an outline that no point supports: a gap in a scanned wall that the boundary bridges, or a hidden wall. */
 export interface Gap {
-  readonly from: readonly [x: number, y: number];
-  readonly to: readonly [x: number, y: number];
+  readonly from: Vec2;
+  readonly to: Vec2;
   readonly width: number;
+  /** Name of the room whose outline it is of; the primary boundary has none. */
+  readonly room?: string;
 }
 
 /** The outline a boundary method finds, before regularisation. */
@@ -206,8 +209,8 @@ export interface Room {
 /** A hole through a wall, from jamb to jamb along the wall's axis. */
 export interface Opening {
   readonly type: 'door' | 'window' | 'passage';
-  readonly from: readonly [x: number, y: number];
-  readonly to: readonly [x: number, y: number];
+  readonly from: Vec2;
+  readonly to: Vec2;
   /** Heights above the floor, m. */
   readonly sill: number;
   readonly head: number;

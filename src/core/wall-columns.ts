@@ -1,3 +1,4 @@
+import { bitCount } from './bit-count.ts';
 import { CellTable } from './cell-table.ts';
 import type { StageContext } from './context.ts';
 import { type ChosenLevel, storeyRange } from './level.ts';
@@ -102,11 +103,4 @@ function columnMasks(positions: Float32Array, kept: Uint32Array, low: number, hi
       return mask;
     },
   };
-}
-
-function bitCount(mask: number): number {
-  let rest = mask;
-  let bits = 0;
-  for (; rest !== 0; bits++) rest &= rest - 1;
-  return bits;
 }

@@ -1,4 +1,4 @@
-import { sayScale } from '../core/source-coordinates.ts';
+import { sayCrs, sayScale } from '../core/source-coordinates.ts';
 import { formatCount } from '../view/measure.ts';
 import type { Layout } from './contract.ts';
 import { makeFileChoice } from './file-choice.ts';
@@ -63,13 +63,13 @@ export function makeOpenButton(actions: Actions, testid = 'file-input'): HTMLLab
 function factsOf({ view, name }: Model): string {
   if (!view) return name;
   const { pointsKept, pointsRead, unit, metresPerUnit, up } = view.report.input;
-  const storeys = view.plan.storeys.length;
-  const points = `${formatCount(pointsKept)} of ${formatCount(pointsRead)} points`;
-  const parts = [
+  const { storeys, frame } = view.plan;
+  return [
     view.report.input.name,
-    points,
-    unit === 'custom' ? sayScale(unit, metresPerUnit) : `in ${unit}`,
+    `${formatCount(pointsKept)} of ${formatCount(pointsRead)} points`,
+    sayScale(unit, metresPerUnit),
     `${up} up`,
-  ];
-  return [...parts, storeys === 1 ? '1 storey' : `${storeys} storeys`].join(' · ');
+    ...(frame.crs === undefined ? [] : [sayCrs(frame.crs)]),
+    storeys.length === 1 ? '1 storey' : `${storeys.length} storeys`,
+  ].join(' · ');
 }

@@ -10,6 +10,7 @@ import { make, setAttribute, setText } from './make.ts';
 import type { Actions, Model, Panel } from './model.ts';
 import { numberField } from './number-field.ts';
 import { sayChoice } from './plain-words.ts';
+import { makeInvitation } from './tools.ts';
 
 /** Why a value that was found for the scan is what it is, beside the control that changes it. */
 const REASONS: Readonly<Partial<Record<ParamName, (model: Model) => string | undefined>>> = {
@@ -87,18 +88,10 @@ function makeField(facts: FieldFacts, actions: Actions): Field {
 
 /** The scale by hand, and the way to the tool that finds it. */
 function withMeasuring(field: Field, actions: Actions): Field {
-  const button = make(
-    'button',
-    {
-      type: 'button',
-      class: 'button in-drawing',
-      testid: 'measure-in-drawing',
-      on: { click: () => actions.takeTool('measure') },
-    },
-    icon('ruler'),
-    'Measure a known length',
-  );
-  return { ...field, node: make('div', { class: 'with-tool' }, field.node, button) };
+  return {
+    ...field,
+    node: make('div', { class: 'with-tool' }, field.node, makeInvitation('measure', actions)),
+  };
 }
 
 function flagField({ id, change }: FieldFacts): Field {

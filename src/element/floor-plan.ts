@@ -58,7 +58,7 @@ export class FloorPlanElement extends Base {
   #frame = 0;
 
   connectedCallback(): void {
-    for (const name of ['spawnWorker', 'file', 'options', 'step'] as const) this.#upgrade(name);
+    for (const name of ['spawnWorker', 'file', 'options', 'step'] as const) upgrade(this, name);
     if (!this.shadowRoot) this.#build();
     this.#shell!.connect();
     this.addEventListener('keydown', this.#key);
@@ -188,8 +188,8 @@ export class FloorPlanElement extends Base {
         this.#given.reset(names);
         this.#scheduleRun(0);
       },
-      undo: () => this.#undo(),
-      redo: () => this.#redo(),
+      undo: () => this.#leaf('undo'),
+      redo: () => this.#leaf('redo'),
       save: (format) => void this.#save(format),
       dismiss: () => this.#maker.dismiss(),
       setUnit: (unit) => this.setAttribute('display-units', unit),
@@ -214,14 +214,8 @@ export class FloorPlanElement extends Base {
     };
   }
 
-  #undo(): void {
-    this.#given.undo();
-    this.#places.dismiss();
-    this.#scheduleRun(0);
-  }
-
-  #redo(): void {
-    this.#given.redo();
+  #leaf(way: 'undo' | 'redo'): void {
+    this.#given[way]();
     this.#places.dismiss();
     this.#scheduleRun(0);
   }
@@ -307,14 +301,14 @@ export class FloorPlanElement extends Base {
     const situation = { tool, isStepping: steps.picture !== null, hasTools: this.hasAttribute('controls') };
     pressKey(event, situation, this.#actions);
   };
+}
 
-  /** A property set before the class was registered shadows the accessor; set it again through it. */
-  #upgrade(name: 'spawnWorker' | 'file' | 'options' | 'step'): void {
-    if (!Object.hasOwn(this, name)) return;
-    const value = this[name];
-    delete (this as Record<string, unknown>)[name];
-    Object.assign(this, { [name]: value });
-  }
+/** A property set before the class was registered shadows the accessor; set it again through it. */
+function upgrade(element: FloorPlanElement, name: 'spawnWorker' | 'file' | 'options' | 'step'): void {
+  if (!Object.hasOwn(element, name)) return;
+  const value = element[name];
+  delete (element as Partial<FloorPlanElement>)[name];
+  Object.assign(element, { [name]: value });
 }
 
 /** The error has been shown and sent as an event; nobody awaits this promise. */

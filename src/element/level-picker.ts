@@ -19,6 +19,22 @@ const ORDER = [2, 1, 0] as const;
 export function makeLevelPicker(actions: Actions): Panel {
   const pick = (level: LevelChoice) => actions.change({ level }, true);
   const rows = ORDER.map((index) => makeLevel(index, () => pick(`${index}`)));
+  const band = makeBand(pick);
+  const node = make('div', { class: 'level-picker' }, ...rows.map((row) => row.node), band.node);
+  return {
+    node,
+    show(model) {
+      const { view, unit } = model;
+      const levels = view?.levels ?? [];
+      const densest = Math.max(...levels.map(({ densityPerM2 }) => densityPerM2), Number.EPSILON);
+      for (const [i, index] of ORDER.entries()) rows[i].show(levels[index], densest, unit);
+      band.show(model);
+    },
+  };
+}
+
+/** Back to the level found, or a height band of one's own. */
+function makeBand(pick: (level: LevelChoice) => void): Panel {
   const auto = make(
     'button',
     { type: 'button', class: 'chip', 'aria-pressed': 'true', on: { click: () => pick('auto') } },
@@ -28,33 +44,24 @@ export function makeLevelPicker(actions: Actions): Panel {
   const suffix = make('span', { class: 'unit' });
   const low = bandField('From');
   const high = bandField('to');
-  const band = make(
+  const submit = (event: SubmitEvent) => {
+    event.preventDefault();
+    const [from, to] = [low, high].map((field) => toMetres(field.valueAsNumber, shownUnit));
+    if (from < to) pick(`${from}:${to}`);
+    else high.focus();
+  };
+  const node = make(
     'form',
-    {
-      class: 'band',
-      'aria-label': 'Height band above the floor',
-      on: {
-        submit: (event: SubmitEvent) => {
-          event.preventDefault();
-          const [from, to] = [low, high].map((field) => toMetres(field.valueAsNumber, shownUnit));
-          if (from < to) pick(`${from}:${to}`);
-          else high.focus();
-        },
-      },
-    },
+    { class: 'band', 'aria-label': 'Height band above the floor', on: { submit } },
     auto,
     make('label', {}, 'From', low),
     make('label', {}, 'to', high),
     suffix,
     make('button', { type: 'submit', class: 'chip' }, 'Use'),
   );
-  const node = make('div', { class: 'level-picker' }, ...rows.map((row) => row.node), band);
   return {
     node,
-    show({ view, options, unit }) {
-      const levels = view?.levels ?? [];
-      const densest = Math.max(...levels.map(({ densityPerM2 }) => densityPerM2), Number.EPSILON);
-      for (const [i, index] of ORDER.entries()) rows[i].show(levels[index], densest, unit);
+    show({ options, unit }) {
       setAttribute(auto, 'aria-pressed', String(options.level === 'auto'));
       const [from, to] = options.level.includes(':') ? options.level.split(':') : ['', ''];
       const isOtherUnit = unit !== shownUnit;

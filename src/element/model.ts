@@ -1,6 +1,6 @@
 import type { GivenValues, Options, ParamName } from '../core/params.ts';
 import type { Progress } from '../core/pipeline-run.ts';
-import type { Gap, Warning } from '../core/types.ts';
+import type { Warning } from '../core/types.ts';
 import type { DisplayUnit } from '../view/measure.ts';
 import type {
   Comparison,
@@ -12,6 +12,7 @@ import type {
 } from '../worker/protocol.ts';
 import type { Layout, PlanState } from './contract.ts';
 import type { FailedRun } from './plan-maker.ts';
+import type { Stretch } from './stretch.ts';
 
 /** Everything the element's panels show; they draw it and hold nothing of their own. */
 export interface Model {
@@ -48,9 +49,6 @@ export interface Model {
 
 /** Cuts doors, measures a known length, draws the crop box. */
 export type Tool = 'doors' | 'measure' | 'crop';
-
-/** From and to, plan metres. */
-export type Stretch = Pick<Gap, 'from' | 'to'>;
 
 /** Files opened together. */
 export interface FilesShown {

@@ -12,34 +12,11 @@ const TRAVEL_STEPS = 1000;
  * A slider, a number field, and for auto-numbers a box that gives the choice back to the program. Lengths and areas may be
  * typed with a unit: 24mm.
  */
-export function numberField({ id, name, change }: FieldFacts, row: NumberRow | AutoNumberRow): Field {
-  const { min, max, step, unit, label } = row;
-  const isQuantity = unit === 'm' || unit === 'm²';
+export function numberField(facts: FieldFacts, row: NumberRow | AutoNumberRow): Field {
+  const { unit, label } = row;
+  const { change } = facts;
   let pixelsPerMetre: number = PARAMS.pixelsPerMetre.default;
-  let isTyping = false;
-  const number = make('input', {
-    type: isQuantity ? 'text' : 'number',
-    id,
-    ...(!isQuantity && { min, max, step: 'any' }),
-    // The decimal keyboard of a phone has no letters for a unit.
-    inputmode: isQuantity ? null : step % 1 === 0 ? 'numeric' : 'decimal',
-    'aria-describedby': `${id}-hint`,
-    on: {
-      input: () => {
-        isTyping = true;
-      },
-      blur: () => {
-        isTyping = false;
-      },
-      change: () => {
-        isTyping = false;
-        const value = isQuantity ? readQuantity(name, number.value, pixelsPerMetre) : number.valueAsNumber;
-        const isAllowed = value === 'auto' || (value >= min && value <= max);
-        if (isAllowed) change(step % 1 === 0 && value !== 'auto' ? Math.round(value) : value, true);
-        setAttribute(number, 'aria-invalid', isAllowed ? null : 'true');
-      },
-    },
-  });
+  const { node: number, isTyping } = makeTyped(facts, row, () => pixelsPerMetre);
   const slider = make('input', {
     type: 'range',
     min: 0,
@@ -74,7 +51,7 @@ export function numberField({ id, name, change }: FieldFacts, row: NumberRow | A
       if (auto) auto.checked = isAuto;
       node.classList.toggle('is-auto', isAuto);
       // Text under the hand is not overwritten.
-      if (isTyping) return;
+      if (isTyping()) return;
       if (isAuto) number.value = '';
       if (isAuto || typeof value !== 'number') return;
       number.removeAttribute('aria-invalid');
@@ -84,6 +61,42 @@ export function numberField({ id, name, change }: FieldFacts, row: NumberRow | A
       slider.setAttribute('aria-valuetext', `${value} ${unit}`.trim());
     },
   };
+}
+
+/** The field for typing; what is typed counts once it is done. */
+function makeTyped(
+  { id, name, change }: FieldFacts,
+  { min, max, step, unit }: NumberRow | AutoNumberRow,
+  pixelsPerMetre: () => number,
+) {
+  const isQuantity = unit === 'm' || unit === 'm²';
+  const isWhole = step % 1 === 0;
+  let isTyping = false;
+  const take = () => {
+    isTyping = false;
+    const value = isQuantity ? readQuantity(name, node.value, pixelsPerMetre()) : node.valueAsNumber;
+    const isAllowed = value === 'auto' || (value >= min && value <= max);
+    if (isAllowed) change(isWhole && value !== 'auto' ? Math.round(value) : value, true);
+    setAttribute(node, 'aria-invalid', isAllowed ? null : 'true');
+  };
+  const node = make('input', {
+    type: isQuantity ? 'text' : 'number',
+    id,
+    ...(!isQuantity && { min, max, step: 'any' }),
+    // The decimal keyboard of a phone has no letters for a unit.
+    inputmode: isQuantity ? null : isWhole ? 'numeric' : 'decimal',
+    'aria-describedby': `${id}-hint`,
+    on: {
+      input: () => {
+        isTyping = true;
+      },
+      blur: () => {
+        isTyping = false;
+      },
+      change: take,
+    },
+  });
+  return { node, isTyping: () => isTyping };
 }
 
 function makeAuto(label: string, onChange: () => void): HTMLInputElement {

@@ -1,8 +1,8 @@
-import { type Options, PARAMS, type ParamName } from '../core/params.ts';
+import { type Options, PARAMS } from '../core/params.ts';
+import { makeChoiceAbove } from './above-stages.ts';
 import { make, setText } from './make.ts';
 import type { Actions, Panel } from './model.ts';
-import { sayChoice } from './plain-words.ts';
-import { makeSwitch } from './switch.ts';
+import { sayLabel } from './plain-words.ts';
 
 type Preset = Options['preset'];
 
@@ -16,34 +16,29 @@ const RESERVATIONS: typeof PROMISES = {
   paper: ` It has none for ${sayLabel('openingLength')}, ${sayLabel('bridgeGap')} and ${sayLabel('floorSlab')}, which stay ours; with ${sayLabel('bridgeGap')} at 0 the outline falls through doors, as the paper’s does.`,
 };
 
+/** What the automatic choice takes them for. */
+const SCANS: Readonly<Record<Preset, string>> = {
+  auto: '',
+  building: 'for a 3D scan',
+  paper: 'for a ready slice',
+};
+
 /** The start values of all parameters, one click each. */
 export function makePresetPicker(actions: Actions): Panel {
-  const { label, doc, choices } = PARAMS.preset;
-  const labels = Object.fromEntries(choices.map((choice) => [choice, sayChoice(choice)]));
-  const picker = makeSwitch<Preset>(label, labels as Record<Preset, string>, (preset) =>
-    actions.setPreset(preset),
-  );
+  const { doc } = PARAMS.preset;
   const words = make('p', { class: 'hint' });
+  const picker = makeChoiceAbove('preset', words, (preset) => actions.setPreset(preset));
   return {
-    node: make(
-      'div',
-      { class: 'preset', 'data-param': 'preset' },
-      make('div', { class: 'preset-line' }, make('span', {}, label), picker.node),
-      words,
-    ),
+    node: picker.node,
     show({ given, options, view }) {
       const preset = given.preset ?? 'auto';
       picker.set(preset);
       const others = Object.keys(given).length - (given.preset === undefined ? 0 : 1);
       if (preset !== 'auto')
         setText(words, `${PROMISES[preset]}${exceptions(others)}.${RESERVATIONS[preset]}`);
-      else setText(words, view ? `${doc} Now: ${options.preset}.` : doc);
+      else setText(words, view ? `Now: ${options.preset}, ${SCANS[options.preset]}.` : doc);
     },
   };
-}
-
-function sayLabel(name: ParamName): string {
-  return `“${PARAMS[name].label}”`;
 }
 
 function exceptions(count: number): string {

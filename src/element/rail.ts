@@ -5,6 +5,7 @@ import { makeExportMenu } from './export-menu.ts';
 import { icon } from './icon.ts';
 import { make, setAttribute } from './make.ts';
 import type { Actions, Panel } from './model.ts';
+import { makePlanMethodPicker } from './plan-method-picker.ts';
 import { makePresetPicker } from './preset-picker.ts';
 import { makeRunStatus } from './run-status.ts';
 import { makeStageRow } from './stage-row.ts';
@@ -17,17 +18,7 @@ export interface Rail extends Panel {
 
 /** The run from top to bottom: how it stands, its stages with their parameters, its warnings, its exports. */
 export function makeRail(actions: Actions): Rail {
-  const unfold = make(
-    'button',
-    { type: 'button', class: 'button unfold', 'aria-expanded': 'false', on: { click: () => toggle() } },
-    'Steps',
-    icon('chevron'),
-  );
-  const toggle = () => unfoldTo(unfold.getAttribute('aria-expanded') !== 'true');
-  const unfoldTo = (isOpen: boolean) => {
-    setAttribute(unfold, 'aria-expanded', String(isOpen));
-    node.classList.toggle('is-open', isOpen);
-  };
+  const unfold = makeUnfold((isOpen) => node.classList.toggle('is-open', isOpen));
   const status = makeRunStatus(actions);
   const warnings = makeWarningsList({
     'boundary/gap-bridged': {
@@ -37,30 +28,20 @@ export function makeRail(actions: Actions): Rail {
     'frame/unit-guessed': { label: 'Set the unit', run: () => showControl('unit') },
     'frame/up-guessed': { label: 'Set the up axis', run: () => showControl('up') },
   });
-  // On a phone the rail lies over the picture it leads to.
-  const leading: Actions = {
-    ...actions,
-    showStep: (name) => {
-      unfoldTo(false);
-      actions.showStep(name);
-    },
-    takeTool: (tool) => {
-      unfoldTo(false);
-      actions.takeTool(tool);
-    },
-  };
-  const preset = makePresetPicker(actions);
+  const above = [makePresetPicker(actions), makePlanMethodPicker(actions)];
+  const leading = foldingUp(actions, () => unfold.turn(false));
   const rows = STAGE_NAMES.map((stage) => makeStageRow(stage, leading));
   const showControl = (name: ParamName, selector = `#param-${name}`) => {
-    unfoldTo(true);
+    unfold.turn(true);
     const row = rows[STAGE_NAMES.indexOf(PARAMS[name].stage)];
     openAt(row.node as HTMLDetailsElement, selector);
   };
   const exports = makeExportMenu(actions);
   const heading = makeHeading(actions);
   const stages = make('div', { class: 'stages' }, ...rows.map((row) => row.node));
-  const body = make('div', { class: 'rail-body' }, warnings.node, heading.node, preset.node, stages);
-  const head = make('div', { class: 'rail-head' }, status.node, unfold);
+  const top = make('div', { class: 'above-stages' }, ...above.map((choice) => choice.node));
+  const body = make('div', { class: 'rail-body' }, warnings.node, heading.node, top, stages);
+  const head = make('div', { class: 'rail-head' }, status.node, unfold.node);
   const node = make(
     'aside',
     { class: 'rail', part: 'rail', 'aria-label': 'Steps' },
@@ -68,12 +49,43 @@ export function makeRail(actions: Actions): Rail {
     body,
     exports.node,
   );
-  const panels = [status, warnings, heading, preset, ...rows, exports];
+  const panels = [status, warnings, heading, ...above, ...rows, exports];
   return {
     node,
     showControl: (name) => showControl(name),
     show(model) {
       for (const panel of panels) panel.show(model);
+    },
+  };
+}
+
+/** On a phone the rail is a sheet that this button unfolds. */
+function makeUnfold(onTurn: (isOpen: boolean) => void) {
+  const toggle = () => turn(node.getAttribute('aria-expanded') !== 'true');
+  const node = make(
+    'button',
+    { type: 'button', class: 'button unfold', 'aria-expanded': 'false', on: { click: toggle } },
+    'Steps',
+    icon('chevron'),
+  );
+  const turn = (isOpen: boolean) => {
+    setAttribute(node, 'aria-expanded', String(isOpen));
+    onTurn(isOpen);
+  };
+  return { node, turn };
+}
+
+/** On a phone the rail lies over the picture it leads to. */
+function foldingUp(actions: Actions, fold: () => void): Actions {
+  return {
+    ...actions,
+    showStep: (name) => {
+      fold();
+      actions.showStep(name);
+    },
+    takeTool: (tool) => {
+      fold();
+      actions.takeTool(tool);
     },
   };
 }

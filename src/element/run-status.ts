@@ -1,3 +1,4 @@
+import { countOf } from '../core/count-words.ts';
 import { STAGES } from '../core/stages.ts';
 import { formatArea, formatCount, formatDuration } from '../view/measure.ts';
 import { icon } from './icon.ts';
@@ -82,8 +83,11 @@ function runningDetail({ progress, startedAt, pointsSeen }: Model): string {
 
 function restingDetail({ view, unit }: Model): string {
   if (!view) return 'Open or drop one';
-  const { boundary, totalMs, mesh } = view.report;
-  const parts = [formatArea(boundary.areaM2, unit), `${formatDuration(totalMs)}`];
-  if (mesh.watertight) parts.splice(1, 0, 'closed model');
-  return parts.join(' · ');
+  const { boundary, rooms, totalMs, mesh } = view.report;
+  return [
+    formatArea(boundary.areaM2, unit),
+    rooms.length > 0 ? countOf(rooms.length, 'room') : 'outline',
+    ...(mesh.watertight ? ['closed model'] : []),
+    formatDuration(totalMs),
+  ].join(' · ');
 }

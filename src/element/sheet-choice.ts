@@ -1,7 +1,8 @@
 import type { PictureOf } from '../worker/protocol.ts';
-import type { Model, Stretch, Tool } from './model.ts';
+import type { Model, Tool } from './model.ts';
 import type { PlanMaker } from './plan-maker.ts';
 import { StepChoice } from './step-choice.ts';
+import type { Stretch } from './stretch.ts';
 
 export interface SheetChoiceEvents {
   /** Something that is shown has changed. */

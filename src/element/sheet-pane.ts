@@ -3,45 +3,15 @@ import type { PlanView } from '../worker/protocol.ts';
 import { iconButton, toggleChip } from './chips.ts';
 import { CropTool } from './crop/crop-tool.ts';
 import { DoorTool } from './doors/door-tool.ts';
-import { type IconName, icon } from './icon.ts';
+import { icon } from './icon.ts';
 import { make, setAttribute, setText } from './make.ts';
 import { MeasureTool } from './measure/measure-tool.ts';
 import type { Actions, Model, Tool } from './model.ts';
 import type { PlanTool } from './plan-tool.ts';
 import type { StepsPane } from './steps/steps-pane.ts';
 import { makeSwitch } from './switch.ts';
+import { TOOLS } from './tools.ts';
 
-interface ToolChip {
-  readonly symbol: IconName;
-  readonly label: string;
-  readonly words: string;
-  readonly key: string;
-  readonly testid: string;
-}
-
-const CHIPS: Readonly<Record<Tool, ToolChip>> = {
-  doors: {
-    symbol: 'door',
-    label: 'Cut door',
-    words: 'Cut doors in the drawing',
-    key: 'D',
-    testid: 'cut-doors',
-  },
-  measure: {
-    symbol: 'ruler',
-    label: 'Measure',
-    words: 'Measure, and set the scale by a known length',
-    key: 'M',
-    testid: 'measure',
-  },
-  crop: {
-    symbol: 'crop',
-    label: 'Crop',
-    words: 'Draw a box around what is used',
-    key: 'C',
-    testid: 'crop',
-  },
-};
 const NOTHING = new Float64Array();
 
 /** The 2D view with what switches it: the drawing, or the steps that led to it. */
@@ -193,7 +163,7 @@ export class SheetPane {
   }
 
   #toolChip(tool: Tool): HTMLElement {
-    const { symbol, label, words, key, testid } = CHIPS[tool];
+    const { symbol, label, words, key, testid } = TOOLS[tool];
     return make(
       'button',
       {

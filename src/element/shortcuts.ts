@@ -1,9 +1,8 @@
 import type { Actions, Tool } from './model.ts';
+import { TOOL_NAMES, TOOLS } from './tools.ts';
 
 /** Keys that leaf through the steps. */
 const STEPS: Readonly<Record<string, 1 | -1>> = { '[': -1, ']': 1 };
-/** Keys that take up a tool, or put it down. */
-const TOOLS: Readonly<Record<string, Tool>> = { d: 'doors', m: 'measure', c: 'crop' };
 
 /** What decides on the meaning of a key. */
 export interface KeySituation {
@@ -31,7 +30,7 @@ export function pressKey(
   const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey;
   // In a list a letter chooses.
   const isForTools = isPlain && hasTools && !(target instanceof HTMLSelectElement);
-  const taken = isForTools ? TOOLS[letter] : undefined;
+  const taken = isForTools && TOOL_NAMES.find((name) => TOOLS[name].key.toLowerCase() === letter);
   if (taken) actions.takeTool(taken === tool ? null : taken);
   if (letter !== 'z' || !(event.ctrlKey || event.metaKey)) return;
   event.preventDefault();

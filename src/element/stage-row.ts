@@ -1,7 +1,9 @@
 import type { ParamRow } from '../core/param-rows.ts';
 import { PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
+import type { StageReport } from '../core/pipeline-run.ts';
 import { STAGE_NAMES, STAGES, type StageName } from '../core/stages.ts';
 import { formatDuration } from '../view/measure.ts';
+import { ABOVE_STAGES } from './above-stages.ts';
 import { makeControl } from './controls.ts';
 import { icon } from './icon.ts';
 import { makeLevelPicker } from './level-picker.ts';
@@ -14,28 +16,16 @@ type Mark = 'waiting' | 'running' | 'done' | 'kept' | 'failed';
 
 /** One stage of the run: its state, what came out and how long it took; opens to what it does and its parameters. */
 export function makeStageRow(stage: StageName, actions: Actions): Panel {
-  const mark = make('span', { class: 'mark' });
-  const outcome = make('span', { class: 'outcome' });
-  const time = make('span', { class: 'time' });
   const { label, doc, source } = STAGES[stage];
-  const summary = make(
-    'summary',
-    { class: 'stage-line' },
-    mark,
-    make('span', { class: 'stage-label' }, label),
-    outcome,
-    time,
-    make('span', { class: 'chevron' }, icon('chevron')),
-  );
+  const line = makeLine(label);
   const body = make('div', { class: 'stage-body' });
   const node = make(
     'details',
     { class: 'stage', 'data-stage': stage, open: stage === 'level' },
-    summary,
+    line.node,
     body,
   );
   let parts: readonly Panel[] | null = null;
-  let shown: Mark | null = null;
   let last: Model | null = null;
   // What a stage holds is made when it first opens: thirty controls that nobody sees would slow the page's start.
   const showParts = () => {
@@ -53,27 +43,48 @@ export function makeStageRow(stage: StageName, actions: Actions): Panel {
     show(model) {
       last = model;
       const report = model.view?.stages.find(({ name }) => name === stage);
-      const next = markOf(stage, model);
-      if (next !== shown) mark.replaceChildren(...symbolOf(next));
-      shown = next;
-      setAttribute(node, 'data-mark', next);
-      const words = next === 'waiting' ? '' : (report?.outcome ?? '');
+      const mark = markOf(stage, model);
+      setAttribute(node, 'data-mark', mark);
+      line.show(mark, report);
+      showParts();
+    },
+  };
+}
+
+/** What is seen of a stage that is not open. */
+function makeLine(label: string) {
+  const symbol = make('span', { class: 'mark' });
+  const outcome = make('span', { class: 'outcome' });
+  const time = make('span', { class: 'time' });
+  const node = make(
+    'summary',
+    { class: 'stage-line' },
+    symbol,
+    make('span', { class: 'stage-label' }, label),
+    outcome,
+    time,
+    make('span', { class: 'chevron' }, icon('chevron')),
+  );
+  let shown: Mark | null = null;
+  return {
+    node,
+    show(mark: Mark, report: StageReport | undefined) {
+      if (mark !== shown) symbol.replaceChildren(...symbolOf(mark));
+      shown = mark;
+      const words = mark === 'waiting' ? '' : (report?.outcome ?? '');
       setText(outcome, words);
       // A long outcome is cut in a narrow rail.
       setAttribute(outcome, 'title', words);
-      setText(
-        time,
-        next === 'running' || !report ? '' : report.isCached ? 'kept' : formatDuration(report.ms),
-      );
-      showParts();
+      const isTimed = mark !== 'running' && report !== undefined;
+      setText(time, !isTimed ? '' : report.isCached ? 'kept' : formatDuration(report.ms));
     },
   };
 }
 
 /** The way to its pictures, the small one, the controls, and those for few behind one more line. */
 function makeParts(stage: StageName, actions: Actions): Panel[] {
-  // The preset stands above the stages: it holds for all of them.
-  const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage && name !== 'preset');
+  const above: readonly ParamName[] = ABOVE_STAGES;
+  const names = PARAM_NAMES.filter((name) => PARAMS[name].stage === stage && !above.includes(name));
   const isAdvanced = (name: ParamName) => (PARAMS[name] as ParamRow).advanced === true;
   const main = names.filter((name) => !isAdvanced(name)).map((name) => controlOf(name, actions));
   const more = names.filter(isAdvanced).map((name) => controlOf(name, actions));

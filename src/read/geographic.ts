@@ -1,6 +1,6 @@
+import { trimmedBounds } from '../core/cloud-bounds.ts';
 import { FloorPlanError } from '../core/errors.ts';
 import type { Options } from '../core/params.ts';
-import { trimmedBounds } from '../core/robust-scale.ts';
 import type { Scan } from '../core/types.ts';
 
 type Bounds = Scan['bounds'];

@@ -1,3 +1,4 @@
+import { areaOf } from '../core/geometry/areas.ts';
 import { polygonArea, vertexCount } from '../core/geometry/rings.ts';
 import type { Axis, FrameUnit, Warning } from '../core/types.ts';
 import { checkSolid } from '../solid/check-solid.ts';
@@ -52,6 +53,7 @@ export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: nu
   const { read, frame, level, boundary, plan, solid, stages, warnings } = result;
   const { name, format, bytes, pointsRead, pointsKept } = read.facts;
   const { up, unit, metresPerUnit } = frame.frame;
+  const primary = plan.storeys.flatMap((storey) => storey.primary);
   return {
     version: 1,
     input: {
@@ -69,8 +71,8 @@ export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: nu
     levels: level.levels,
     boundary: {
       method: boundary.method,
-      vertices: vertexCount(plan.storeys.flatMap(({ primary }) => primary)),
-      areaM2: round(sum(plan.storeys.flatMap(({ primary }) => primary.map(polygonArea)))),
+      vertices: vertexCount(primary),
+      areaM2: round(areaOf(primary)),
     },
     secondary: plan.storeys.flatMap(({ secondary }) =>
       secondary.map(({ operation, type, outline }) => ({
@@ -97,10 +99,6 @@ export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: nu
     ...(peakMemoryMB === undefined ? {} : { peakMemoryMB: round(peakMemoryMB) }),
     warnings,
   };
-}
-
-function sum(values: readonly number[]): number {
-  return values.reduce((total, value) => total + value, 0);
 }
 
 /** To a ten-thousandth: 0.1 mm, 1 cm², 0.1 µs. */

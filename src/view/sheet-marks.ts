@@ -1,14 +1,12 @@
+import type { Vec2 } from '../core/types.ts';
 import type { Placement } from './pan-zoom.ts';
 import type { SheetTransform } from './parse-drawing.ts';
-
-/** Plan metres. */
-type Place = readonly [x: number, y: number];
 
 /** A stretch of wall; the kind is a class for the styles. */
 export interface StretchMark {
   readonly kind: 'candidate' | 'cut' | 'remove';
-  readonly from: Place;
-  readonly to: Place;
+  readonly from: Vec2;
+  readonly to: Vec2;
   /** Of the wall, m. */
   readonly thickness: number;
 }
@@ -16,15 +14,15 @@ export interface StretchMark {
 /** A distance between two places, in words. */
 export interface LengthMark {
   readonly kind: 'length';
-  readonly from: Place;
-  readonly to: Place;
+  readonly from: Vec2;
+  readonly to: Vec2;
   readonly words: string;
 }
 
 /** A place; caught where it is a corner or an edge of the plan. */
 export interface SpotMark {
   readonly kind: 'spot';
-  readonly at: Place;
+  readonly at: Vec2;
   readonly isCaught: boolean;
 }
 
@@ -32,16 +30,16 @@ export interface SpotMark {
 export interface BoxMark {
   readonly kind: 'box';
   /** All the way round. */
-  readonly corners: readonly Place[];
+  readonly corners: readonly Vec2[];
   /** Places a hand takes it by. */
-  readonly handles: readonly Place[];
+  readonly handles: readonly Vec2[];
 }
 
-/** Something marked on the drawing. */
+/** Something marked on the drawing; plan metres. */
 export type SheetMark = StretchMark | LengthMark | SpotMark | BoxMark;
 
 /** A place on the screen, px. */
-type Pixel = readonly [x: number, y: number];
+type Pixel = Vec2;
 
 const SVG = 'http://www.w3.org/2000/svg';
 /** A mark is larger than the wall it stands on by this all around, px: it shows around solid ink. */
@@ -74,7 +72,7 @@ export class SheetMarks {
   /** Draws the marks where `planToSheet` and `placement` put them. */
   draw(planToSheet: SheetTransform, { zoom, x, y }: Placement): void {
     const [a, b, c, d, e, f] = planToSheet;
-    const place = ([px, py]: Place): Pixel => [
+    const place = ([px, py]: Vec2): Pixel => [
       zoom * (a * px + c * py + e) + x,
       zoom * (b * px + d * py + f) + y,
     ];
@@ -83,7 +81,7 @@ export class SheetMarks {
   }
 }
 
-function shapesOf(mark: SheetMark, place: (at: Place) => Pixel, pixelsPerMetre: number): SVGElement[] {
+function shapesOf(mark: SheetMark, place: (at: Vec2) => Pixel, pixelsPerMetre: number): SVGElement[] {
   switch (mark.kind) {
     case 'length':
       return lengthShapes(place(mark.from), place(mark.to), mark.words);
@@ -126,7 +124,7 @@ function lengthShapes(from: Pixel, to: Pixel, words: string): SVGElement[] {
   ];
 }
 
-function boxShapes({ corners, handles }: BoxMark, place: (at: Place) => Pixel): SVGElement[] {
+function boxShapes({ corners, handles }: BoxMark, place: (at: Vec2) => Pixel): SVGElement[] {
   const ring = `M${corners.map((corner) => pair(...place(corner))).join('L')}Z`;
   const veil = `M${-FAR},${-FAR}H${FAR}V${FAR}H${-FAR}Z${ring}`;
   return [

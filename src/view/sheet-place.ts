@@ -1,6 +1,6 @@
-import { boundsOf } from '../core/robust-scale.ts';
+import { cloudBounds } from '../core/cloud-bounds.ts';
 import { planPlace, sourceCoordinates } from '../core/source-coordinates.ts';
-import type { Frame } from '../core/types.ts';
+import type { Frame, Vec2 } from '../core/types.ts';
 import type { Placement } from './pan-zoom.ts';
 import type { Drawing, SheetTransform } from './parse-drawing.ts';
 
@@ -49,7 +49,7 @@ export function resizeCursor([dx, dy]: readonly [number, number], drawing: Drawi
 }
 
 /** The place of the plan at a place of the sheet. */
-export function invert([a, b, c, d, e, f]: SheetTransform, x: number, y: number): readonly [number, number] {
+export function invert([a, b, c, d, e, f]: SheetTransform, x: number, y: number): Vec2 {
   const determinant = a * d - b * c;
   return [(d * (x - e) - c * (y - f)) / determinant, (a * (y - f) - b * (x - e)) / determinant];
 }
@@ -60,7 +60,7 @@ export function flatten(
   [width, height]: Size,
   margin: number,
 ): { xy: Float64Array; planToSheet: SheetTransform } {
-  const { min: low, max: high } = boundsOf(positions);
+  const { min: low, max: high } = cloudBounds(positions);
   const extent = high.map((value, axis) => value - low[axis]);
   const flat = extent.indexOf(Math.min(...extent));
   const [u, v] = [0, 1, 2].filter((axis) => axis !== flat);

@@ -1,5 +1,5 @@
-import { sayUnit, sourceCoordinates } from '../core/source-coordinates.ts';
-import type { Frame, Slice } from '../core/types.ts';
+import { sayCoordinates, sayUnit } from '../core/source-coordinates.ts';
+import type { Frame, Slice, Vec2 } from '../core/types.ts';
 import type { DisplayUnit } from './measure.ts';
 import { PanZoom } from './pan-zoom.ts';
 import { type Drawing, parseDrawing } from './parse-drawing.ts';
@@ -22,7 +22,7 @@ export interface SheetContent {
 /** A place of the plan under a pointer. */
 export interface SheetPlace {
   /** Plan metres. */
-  readonly at: readonly [x: number, y: number];
+  readonly at: Vec2;
   /** What a hand misses by, m. */
   readonly reach: number;
   /** Of the plan on its sheet, radians, counter-clockwise. */
@@ -240,10 +240,8 @@ export class SheetView {
   #point(event: PointerEvent): void {
     const place = this.#placeOf(event, event.pointerType);
     if (!place || !this.#frame) return;
-    const to = sourceCoordinates(this.#frame, PRECISION);
-    const read = (value: number) => value.toFixed(to.digits);
-    const [x, y] = place.at;
-    this.#coordinates.textContent = `${read(to.x(x))}, ${read(to.y(y))} ${sayUnit(this.#frame.unit)}`;
+    const coordinates = sayCoordinates(this.#frame, place.at, PRECISION);
+    this.#coordinates.textContent = `${coordinates} ${sayUnit(this.#frame.unit)}`;
     if (this.#drag) return;
     const isResting = event.buttons === 0 && event.pointerType !== 'touch';
     this.#tool?.hover(isResting ? place : null);
@@ -280,7 +278,7 @@ export class SheetView {
     this.#tool?.hover(null);
   }
 
-  #planAt(left: number, top: number): readonly [number, number] {
+  #planAt(left: number, top: number): Vec2 {
     const { zoom, x, y } = this.#panZoom.placement;
     return invert(this.#drawing!.planToSheet, (left - x) / zoom, (top - y) / zoom);
   }

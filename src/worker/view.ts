@@ -1,7 +1,7 @@
+import { cloudBounds } from '../core/cloud-bounds.ts';
 import { isWithin } from '../core/crop.ts';
 import { parseCrop } from '../core/crop-box.ts';
 import type { Options } from '../core/params.ts';
-import { boundsOf } from '../core/robust-scale.ts';
 import type { PointAttributes, PointCloud, Vec3 } from '../core/types.ts';
 import { makeReport } from '../session/report.ts';
 import type { Session } from '../session/session.ts';
@@ -85,7 +85,7 @@ function sampleIntensity({ intensity }: PointAttributes, step: number, size: num
 
 /** Where the cloud lies before the crop box, and a sample of what the box leaves out. O(n). */
 function surroundingsOf(whole: PointCloud, options: Options): Surroundings {
-  const bounds = boundsOf(whole.positions);
+  const bounds = cloudBounds(whole.positions);
   const box = parseCrop(options.crop);
   const cropped: number[] = [];
   if (box) {

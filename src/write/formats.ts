@@ -78,7 +78,7 @@ export const WRITE_FORMATS = {
   },
   slice: {
     label: 'Slice CSV',
-    doc: 'The points the outline was found from, in source coordinates.',
+    doc: 'The points the outline was found from, in source coordinates: one level of the whole scan, whatever its storeys.',
     extension: 'csv',
     mime: 'text/csv',
     isPerStorey: false,

@@ -1,7 +1,7 @@
 import { areaOf } from '../core/geometry/areas.ts';
 import { ringsOf } from '../core/geometry/rings.ts';
 import { type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
-import type { Polygon, Ring, Storey } from '../core/types.ts';
+import type { Opening, Polygon, Ring, Storey } from '../core/types.ts';
 import { rounded } from './decimals.ts';
 import type { Product } from './plan-writer.ts';
 import { roundedPolygons } from './rounded-polygons.ts';
@@ -35,6 +35,10 @@ function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
     roundedPolygons(polygon, (x, y) => position(x, y, to)).map(({ piece, rounded }) =>
       feature(kind, { type: 'Polygon', coordinates: ringsOf([rounded]).map(closed) }, propertiesOf(piece)),
     );
+  const line = (...ends: readonly Opening['from'][]) => ({
+    type: 'LineString',
+    coordinates: ends.map(([x, y]) => position(x, y, to)),
+  });
   return [
     ...storey.primary.flatMap((polygon) =>
       areas('primary-boundary', polygon, (piece) => ({ areaM2: number(areaOf([piece])) })),
@@ -57,25 +61,17 @@ function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
         ...(isThicknessInferred && { inferred: true }),
       })),
     ),
-    ...storey.gaps.map(({ from, to: end, width }) =>
-      feature(
-        'inferred-stretch',
-        { type: 'LineString', coordinates: [position(from[0], from[1], to), position(end[0], end[1], to)] },
-        { lengthM: number(width) },
-      ),
+    ...storey.gaps.map(({ from, to: end, width, room }) =>
+      feature('inferred-stretch', line(from, end), { lengthM: number(width), ...(room && { room }) }),
     ),
     ...storey.openings.map(({ type, from, to: end, sill, head, confidence }) =>
-      feature(
-        'opening',
-        { type: 'LineString', coordinates: [position(from[0], from[1], to), position(end[0], end[1], to)] },
-        {
-          type,
-          widthM: number(Math.hypot(end[0] - from[0], end[1] - from[1])),
-          sillM: number(sill),
-          headM: number(head),
-          confidence: number(confidence),
-        },
-      ),
+      feature('opening', line(from, end), {
+        type,
+        widthM: number(Math.hypot(end[0] - from[0], end[1] - from[1])),
+        sillM: number(sill),
+        headM: number(head),
+        confidence: number(confidence),
+      }),
     ),
   ];
 }

@@ -1,4 +1,4 @@
-import { boundsOf } from '../core/robust-scale.ts';
+import { cloudBounds } from '../core/cloud-bounds.ts';
 import type { SolidGroup } from '../core/types.ts';
 import { flattenMesh } from './flat-mesh.ts';
 import type { Product } from './plan-writer.ts';
@@ -96,7 +96,7 @@ function addAccessor(
 }
 
 function bounds(positions: Float32Array): { min: number[]; max: number[] } {
-  const { min, max } = boundsOf(positions);
+  const { min, max } = cloudBounds(positions);
   return { min: [...min], max: [...max] };
 }
 

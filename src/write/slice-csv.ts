@@ -2,7 +2,10 @@ import { sourceCoordinates } from '../core/source-coordinates.ts';
 import { decimal } from './decimals.ts';
 import type { Product } from './plan-writer.ts';
 
-/** Writes slice.csv: the points the outline was found from, plan frame, source units and coordinates to 0.1 mm. */
+/**
+ * Writes slice.csv: the points the outline was found from, plan frame, source units and coordinates to 0.1 mm. One file
+ * whatever the storeys, since the outline is found once, from one level of the whole scan (contract: slice.csv).
+ */
 export function writeSliceCsv({ plan, slice }: Product): string {
   const { x, y, digits } = sourceCoordinates(plan.frame);
   const lines = ['x,y'];

@@ -27,7 +27,7 @@ let home: Float64Array | null = null;
  * A scan of a seeded home, x, y, z a point; a cloud larger than one simulation repeats it with jitter, as a slow
  * scanner repeats itself. Points come in scanning order.
  */
-export function* homeCloud(points: number, chunk = 100_000): Generator<Float64Array> {
+function* homeCloud(points: number, chunk = 100_000): Generator<Float64Array> {
   home ??= simulate({
     name: 'bench',
     building: homeBuilding(1),

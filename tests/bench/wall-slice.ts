@@ -43,7 +43,7 @@ export const wallOutline: Ring = OUTLINE.map(placed);
  * A noisy wall slice of any number of points, x, y each, in no order: uniform along the faces of a flat's walls,
  * Gaussian across and along. As float32, which is what a cloud holds and every method is given.
  */
-export function wallSlice(points: number, seed = 1): Float32Array {
+function wallSlice(points: number, seed = 1): Float32Array {
   const random = seededRandom(seed, 'wall-slice');
   const edges = [OUTLINE, ...INNER].flatMap((ring) =>
     ring.map((from, i) => ({ from: placed(from), to: placed(ring[(i + 1) % ring.length]) })),

@@ -194,6 +194,32 @@ test('a level can be picked; what came before the level is kept', async ({ page 
   expect(await stagesRun(page)).toContain('level');
 });
 
+test('a parameter of the outline has the outline drawn, which is told, as is the way back', async ({
+  page,
+}) => {
+  await openPlan(page);
+  const rooms = page.getByTestId('plan-svg').getByText(/^Room \d$/);
+  const words = page.getByTestId('plan-method-words');
+  const status = page.locator('.status-detail');
+  const method = page.getByRole('group', { name: 'Plan of' });
+  await expect(status).toHaveText(/ m² · \d rooms · /);
+  await expect(rooms).not.toHaveCount(0);
+  await expect(words).toHaveText('Now: rooms.');
+  await page.getByTestId('level-2').click();
+  await expect(rooms).toHaveCount(0);
+  await expect(words).toHaveText('Now: the outline, because of “Level”. Press Rooms to go back.');
+  await expect(status).toHaveText(/ m² · outline · /);
+  await expect(method.getByRole('button', { name: 'Auto' })).toHaveAttribute('aria-pressed', 'true');
+  await method.getByRole('button', { name: 'Rooms' }).click();
+  await expect(rooms).not.toHaveCount(0);
+  await expect(words).toHaveText('Without effect on rooms: “Level”.');
+  await method.getByRole('button', { name: 'Outline' }).click();
+  await expect(rooms).toHaveCount(0);
+  await page.getByRole('button', { name: 'Reset all parameters' }).click();
+  await expect(rooms).not.toHaveCount(0);
+  await expect(words).toHaveText('Now: rooms.');
+});
+
 test('a changed parameter runs again from its stage only, and can be undone', async ({ page }) => {
   await openPlan(page);
   await drawOutline(page);

@@ -4,8 +4,8 @@ import type { FuzzFormat } from './seeds.ts';
 export const MOST_MS = 5_000;
 export const MOST_BYTES = 512 * 2 ** 20;
 /** Share of the cases of a format that have to get past the header, and of the readers' lines that have to be run. */
-export const LEAST_PAST_HEADER = 0.5;
-export const LEAST_COVERAGE = 0.9;
+const LEAST_PAST_HEADER = 0.5;
+const LEAST_COVERAGE = 0.9;
 
 /** What came of one format. */
 export interface FormatReport {

@@ -97,7 +97,7 @@ export function structureFaces(name: PaperSliceName): readonly Ring[] {
 }
 
 /** A set as the file the paper's export gives: two columns, canvas pixels. */
-export function sliceFile(name: PaperSliceName): string {
+function sliceFile(name: PaperSliceName): string {
   const { xy } = paperSlice(name);
   const rows = Array.from(
     { length: xy.length / 2 },

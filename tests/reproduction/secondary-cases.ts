@@ -8,7 +8,7 @@ import { Session } from '../../src/session/session.ts';
 import { intersectionOverUnion, type Region, regionOf } from '../accuracy/regions.ts';
 
 /** A structure counts as found when its outline shares more than this with the truth. */
-export const FOUND_IOU = 0.8;
+const FOUND_IOU = 0.8;
 const CASES_A_HALF = 100;
 /** Seeds of the cases the method was made with, and of those kept back from that work. */
 const FIRST_SEED = { development: 1, keptBack: 1001 } as const;
@@ -61,7 +61,7 @@ async function measureCases(firstSeed: number, count: number): Promise<Secondary
   return cases;
 }
 
-export async function measureCase(slice: VariedSlice): Promise<SecondaryCase> {
+async function measureCase(slice: VariedSlice): Promise<SecondaryCase> {
   const session = new Session({ strokeTest: createStrokeTest() });
   const source = blobSource(new Blob([csvOf(slice)]), 'case.csv');
   const given: Partial<Options> = { preset: 'paper', secondaryCount: 1 };

@@ -97,7 +97,7 @@ export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: Storey
     ),
     outer,
     secondary: findColumns(cloud, columns, ceiling, outlines),
-    unseen: unseen.flat(),
+    unseen: byRoom.flatMap((gaps, i) => gaps.map((gap) => ({ ...gap, room: `Room ${i + 1}` }))),
   };
 }
 

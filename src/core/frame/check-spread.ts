@@ -1,7 +1,7 @@
 import { FloorPlanError } from '../errors.ts';
 
-/** Fewer points enclose no area. */
-const FEWEST_POINTS = 3;
+/** Fewer points enclose no area and make no outline. */
+export const FEWEST_POINTS = 3;
 /** Share of a cloud's length below which its width is float32 rounding. */
 const ROUNDING = 1e-6;
 
@@ -14,10 +14,14 @@ const ROUNDING = 1e-6;
 export function checkSpread(positions: Float32Array, hint?: string): void {
   const points = positions.length / 3;
   if (points < FEWEST_POINTS) {
-    throw new FloorPlanError('input/too-few-points', `expected at least 3 points, found ${points}`, {
-      hint: hint ?? 'Check that the file holds the whole scan.',
-      detail: { points },
-    });
+    throw new FloorPlanError(
+      'input/too-few-points',
+      `expected at least ${FEWEST_POINTS} points, found ${points}`,
+      {
+        hint: hint ?? 'Check that the file holds the whole scan.',
+        detail: { points },
+      },
+    );
   }
   const a = farthestFrom(positions, 0);
   const b = farthestFrom(positions, a.index);

@@ -1,3 +1,4 @@
+import { bitCount } from '../bit-count.ts';
 import type { RoomColumns, RoomGap } from './room-columns.ts';
 
 /** A room's height is cut into so many layers, one bit each; the outermost two at either end hold its planes. */
@@ -113,7 +114,7 @@ function isFree(room: Layered, u: number, v: number): boolean {
 function meetsWall(room: Layered, u: number, v: number, [x, y]: readonly [number, number]): boolean {
   for (let step = 1; step <= JAMB * room.height; step++) {
     const inner = layersAt(room, Math.round(u + step * x), Math.round(v + step * y)) & INNER;
-    if (countBits(inner) >= WALL_LAYERS) return true;
+    if (bitCount(inner) >= WALL_LAYERS) return true;
     if (inner & ((1 << (LOWEST_HEAD - 1)) - 1)) return false;
   }
   return false;
@@ -121,10 +122,4 @@ function meetsWall(room: Layered, u: number, v: number, [x, y]: readonly [number
 
 function layersAt({ columns, filled }: Layered, u: number, v: number): number {
   return filled[columns.table.find(u, v, 0)] ?? 0;
-}
-
-function countBits(bits: number): number {
-  let count = 0;
-  for (let rest = bits; rest !== 0; rest &= rest - 1) count++;
-  return count;
 }

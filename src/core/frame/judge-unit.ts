@@ -1,5 +1,5 @@
+import { cloudBounds, largestExtent, trimmedBounds } from '../cloud-bounds.ts';
 import type { Options } from '../params.ts';
-import { boundsOf, largestExtent, trimmedBounds } from '../robust-scale.ts';
 import { sayScale } from '../source-coordinates.ts';
 import type { FrameUnit, Scan, Unit } from '../types.ts';
 import { findGravity } from './gravity.ts';
@@ -60,7 +60,7 @@ export function judgeUnit(scan: UnitScan, options: UnitOptions): JudgedUnit {
   const known = statedUnit(scan, options);
   if (known) return known;
   if (scan.isSlice) return judgeSliceUnit(scan, options);
-  const bounds = boundsOf(scan.positions);
+  const bounds = cloudBounds(scan.positions);
   const isFlat = [0, 1, 2].some((axis) => bounds.max[axis] === bounds.min[axis]);
   const { positions } = scan;
   const planes = isFlat ? [] : findGravity(positions, surfacePatches(positions), options.up).planes.strong;

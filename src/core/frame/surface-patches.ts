@@ -1,5 +1,6 @@
 import { CellTable } from '../cell-table.ts';
-import { largestExtent, medianOf, trimmedBounds } from '../robust-scale.ts';
+import { largestExtent, trimmedBounds } from '../cloud-bounds.ts';
+import { medianOf } from '../robust-scale.ts';
 import { type SmallestEigen, smallestEigen } from './symmetric-eigen.ts';
 
 /**

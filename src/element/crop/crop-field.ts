@@ -1,8 +1,8 @@
 import { formatCrop, parseCrop } from '../../core/crop-box.ts';
 import type { Field, FieldFacts } from '../field.ts';
-import { icon } from '../icon.ts';
 import { make, setAttribute } from '../make.ts';
 import type { Actions } from '../model.ts';
+import { makeInvitation } from '../tools.ts';
 
 /** The way to the tool in the drawing, and the box as text. */
 export function cropField({ id, change }: FieldFacts, actions: Actions): Field {
@@ -20,19 +20,8 @@ export function cropField({ id, change }: FieldFacts, actions: Actions): Field {
     setAttribute(box, 'aria-invalid', given === null ? 'true' : null);
     if (given !== null) change(given, true);
   };
-  const draw = make(
-    'button',
-    {
-      type: 'button',
-      class: 'button in-drawing',
-      testid: 'crop-in-drawing',
-      on: { click: () => actions.takeTool('crop') },
-    },
-    icon('crop'),
-    'Draw in the plan',
-  );
   return {
-    node: make('div', { class: 'with-tool' }, box, draw),
+    node: make('div', { class: 'with-tool' }, box, makeInvitation('crop', actions)),
     set(value) {
       // Text under the hand is not overwritten.
       if (box.matches(':focus')) return;

@@ -1,10 +1,9 @@
-/** Plan or source, one unit throughout. */
-export type Place = readonly [x: number, y: number];
+import type { Vec2 } from '../../core/types.ts';
 
-/** A box along the axes. */
+/** A box along the axes, plan or source, one unit throughout. */
 export interface Box {
-  readonly low: Place;
-  readonly high: Place;
+  readonly low: Vec2;
+  readonly high: Vec2;
 }
 
 /** Which sides of a box a hand holds: −1 the low one, 1 the high one, 0 none; `all` moves it. */
@@ -18,12 +17,12 @@ export const HANDLES = SIDES.flatMap((x) => SIDES.map((y) => [x, y] as const)).f
 );
 
 /** Where a handle of a box is. */
-export function handleAt({ low, high }: Box, [x, y]: readonly [number, number]): Place {
+export function handleAt({ low, high }: Box, [x, y]: readonly [number, number]): Vec2 {
   return [at(low[0], high[0], x), at(low[1], high[1], y)];
 }
 
 /** What a hand takes at a place: the nearest handle within `reach`, a side, the whole box inside; null outside. */
-export function gripAt(box: Box, [x, y]: Place, reach: number): Grip | null {
+export function gripAt(box: Box, [x, y]: Vec2, reach: number): Grip | null {
   const near = HANDLES.map((handle) => {
     const [hx, hy] = handleAt(box, handle);
     return { handle, distance: Math.hypot(hx - x, hy - y) };
@@ -37,7 +36,7 @@ export function gripAt(box: Box, [x, y]: Place, reach: number): Grip | null {
 }
 
 /** The box after what is held has been moved; dragged past its other side it turns over. */
-export function dragged({ low, high }: Box, grip: Grip, [dx, dy]: Place): Box {
+export function dragged({ low, high }: Box, grip: Grip, [dx, dy]: Vec2): Box {
   const [gx, gy] = grip === 'all' ? [0, 0] : grip;
   const isWhole = grip === 'all';
   const x = [low[0] + (isWhole || gx < 0 ? dx : 0), high[0] + (isWhole || gx > 0 ? dx : 0)];
@@ -46,7 +45,7 @@ export function dragged({ low, high }: Box, grip: Grip, [dx, dy]: Place): Box {
 }
 
 /** The box with two opposite corners. */
-export function boxBetween(a: Place, b: Place): Box {
+export function boxBetween(a: Vec2, b: Vec2): Box {
   return {
     low: [Math.min(a[0], b[0]), Math.min(a[1], b[1])],
     high: [Math.max(a[0], b[0]), Math.max(a[1], b[1])],

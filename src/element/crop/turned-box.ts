@@ -1,7 +1,7 @@
 import type { CropBox } from '../../core/crop-box.ts';
 import { planPlace, sourceCoordinates } from '../../core/source-coordinates.ts';
-import type { Frame } from '../../core/types.ts';
-import type { Box, Place } from './grip.ts';
+import type { Frame, Vec2 } from '../../core/types.ts';
+import type { Box } from './grip.ts';
 
 /** A box in axes that are turned about the plan's origin, along which it stands square. Plan metres. */
 export interface TurnedBox extends Box {
@@ -17,7 +17,7 @@ const FINE = 0.01;
 const HEADING_DIGITS = 2;
 
 /** A place seen in axes turned by `heading` degrees, counter-clockwise; a negative heading leads back. */
-export function inTurnedAxes([x, y]: Place, heading: number): Place {
+export function inTurnedAxes([x, y]: Vec2, heading: number): Vec2 {
   const [cos, sin] = [Math.cos((heading * Math.PI) / 180), Math.sin((heading * Math.PI) / 180)];
   return heading === 0 ? [x, y] : [cos * x + sin * y, cos * y - sin * x];
 }
@@ -35,7 +35,7 @@ export function turnedBox(frame: Frame, { x0, y0, x1, y1, heading }: CropBox): T
 }
 
 /** Its corners on the plan, all the way round. */
-export function cornersOf({ low, high, heading }: TurnedBox): readonly Place[] {
+export function cornersOf({ low, high, heading }: TurnedBox): readonly Vec2[] {
   const corners = [low, [high[0], low[1]], high, [low[0], high[1]]] as const;
   return corners.map((corner) => inTurnedAxes(corner, -heading));
 }

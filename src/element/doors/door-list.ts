@@ -2,8 +2,9 @@ import { parseDoors } from '../../core/doors.ts';
 import { sayUnit } from '../../core/source-coordinates.ts';
 import { formatLength } from '../../view/measure.ts';
 import { make } from '../make.ts';
-import type { Actions, Model, Panel, Stretch } from '../model.ts';
-import { PlanDoors, widthOf } from './plan-doors.ts';
+import type { Actions, Model, Panel } from '../model.ts';
+import { lengthOf, type Stretch } from '../stretch.ts';
+import { isLowest, PlanDoors } from './plan-doors.ts';
 
 interface Entry {
   /** What it is, with its size. */
@@ -39,8 +40,8 @@ export function makeDoorList(actions: Actions): Panel {
 }
 
 function entriesOf({ view, options, storey, unit }: Model): Entry[] {
-  if (!view) return [];
-  const doors = new PlanDoors(view.plan, Math.min(storey, view.plan.storeys.length - 1), options.doors);
+  if (!view || !isLowest(view.plan, storey)) return [];
+  const doors = new PlanDoors(view.plan, options.doors);
   const { cuts } = parseDoors(options.doors);
   const ofGaps = doors.gaps.map((gap): Entry => {
     const door = doors.inGap(gap);
@@ -57,7 +58,7 @@ function entriesOf({ view, options, storey, unit }: Model): Entry[] {
     ...ofGaps,
     ...byHand.map((door): Entry => {
       const { opening, origin } = door;
-      const size = [widthOf(opening), opening.head].map((length) => formatLength(length, unit)).join(' × ');
+      const size = [lengthOf(opening), opening.head].map((length) => formatLength(length, unit)).join(' × ');
       const { x, y } = cuts[origin.index];
       const place = `${x}, ${y} ${sayUnit(view.plan.frame.unit)}`;
       return {

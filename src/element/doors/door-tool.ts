@@ -2,10 +2,11 @@ import type { Gap } from '../../core/types.ts';
 import { formatLength } from '../../view/measure.ts';
 import type { SheetPlace } from '../../view/sheet.ts';
 import type { StretchMark } from '../../view/sheet-marks.ts';
-import type { Actions, Model, Stretch } from '../model.ts';
+import type { Actions, Model } from '../model.ts';
 import type { PlanTool } from '../plan-tool.ts';
+import { lengthOf, type Stretch } from '../stretch.ts';
 import { DoorBar } from './door-bar.ts';
-import { type PlanDoor, PlanDoors, widthOf } from './plan-doors.ts';
+import { isLowest, type PlanDoor, PlanDoors } from './plan-doors.ts';
 
 /** What a press at some place does. */
 interface Aim {
@@ -17,6 +18,7 @@ interface Aim {
 }
 
 const WALLS = 'Press a wall to cut a door, a door to take it away.';
+const ABOVE = 'Doors are cut in the lowest storey.';
 const WALLS_AND_GAPS = 'Press a wall or a dashed gap to cut a door, a door to take it away.';
 
 /** Cuts doors in the drawing ([Stojanovic19] §3): a wall or a bridged gap gets one, a door goes. */
@@ -48,22 +50,25 @@ export class DoorTool implements PlanTool {
       (before.tool === 'doors') === isCutting &&
       before.marked === marked;
     if (isSame) return;
-    const place = Math.min(storey, (view?.plan.storeys.length ?? 1) - 1);
-    this.#doors = view && new PlanDoors(view.plan, place, options.doors);
+    this.#doors = view && isLowest(view.plan, storey) ? new PlanDoors(view.plan, options.doors) : null;
     this.hover(null);
   }
 
   hover(place: SheetPlace | null): void {
     this.#aim = place && this.#aimAt(place);
-    const resting = this.#freeGaps().length > 0 ? WALLS_AND_GAPS : WALLS;
-    this.bar.say(this.#aim?.words ?? resting);
+    this.bar.say(this.#aim?.words ?? this.#resting);
     this.#redraw();
   }
 
   press(place: SheetPlace): void {
     const aim = this.#aimAt(place);
     if (aim) this.#actions.change({ doors: aim.doors }, true);
-    else this.bar.say('No wall here long enough for a door.');
+    else this.bar.say(this.#doors ? 'No wall here long enough for a door.' : this.#resting);
+  }
+
+  get #resting(): string {
+    if (!this.#doors) return ABOVE;
+    return this.#freeGaps().length > 0 ? WALLS_AND_GAPS : WALLS;
   }
 
   #aimAt({ at, reach }: SheetPlace): Aim | null {
@@ -75,14 +80,14 @@ export class DoorTool implements PlanTool {
     const gap = doors.gapAt(at, reach);
     const opening = gap ? doors.fitGap(gap, size.height) : doors.fit(at, size);
     if (!opening) return null;
-    const width = this.#say(widthOf(opening));
+    const width = this.#say(lengthOf(opening));
     const words = gap ? `Make a door of this gap, ${width} wide.` : `Cut a door here, ${width} wide.`;
     return { kind: 'cut', stretch: opening, words, doors: doors.with(gap ?? opening, size.height) };
   }
 
   #aimAtDoor(door: PlanDoor): Aim {
     const { opening } = door;
-    const words = `Take this door away, ${this.#say(widthOf(opening))} wide.`;
+    const words = `Take this door away, ${this.#say(lengthOf(opening))} wide.`;
     return { kind: 'remove', stretch: opening, words, doors: this.#doors!.without(door) };
   }
 

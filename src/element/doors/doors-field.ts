@@ -1,8 +1,8 @@
 import { type Doors, formatDoors, parseDoors } from '../../core/doors.ts';
 import type { Field, FieldFacts } from '../field.ts';
-import { icon } from '../icon.ts';
 import { make, setAttribute } from '../make.ts';
 import type { Actions } from '../model.ts';
+import { makeInvitation } from '../tools.ts';
 import { makeDoorList } from './door-list.ts';
 
 /** The way to the tool in the drawing, every gap and door with a button, and the doors cut by hand as text. */
@@ -24,19 +24,8 @@ export function doorsField({ id, row, change }: FieldFacts, actions: Actions): F
     if (given !== null) change(formatDoors({ gaps: gaps.checked || given.gaps, cuts: given.cuts }), true);
   };
   const label = make('label', { class: 'auto' }, gaps, 'Cut all gaps');
-  const cut = make(
-    'button',
-    {
-      type: 'button',
-      class: 'button',
-      testid: 'cut-in-drawing',
-      on: { click: () => actions.takeTool('doors') },
-    },
-    icon('door'),
-    'Cut in the drawing',
-  );
   const list = makeDoorList(actions);
-  const line = make('div', { class: 'doors-line' }, label, cut);
+  const line = make('div', { class: 'doors-line' }, label, makeInvitation('doors', actions));
   const node = make(
     'div',
     { class: 'doors-field', role: 'group', 'aria-label': row.label },

@@ -1,11 +1,8 @@
 import { type DoorCut, formatDoors, isDoorSize, parseDoors } from '../../core/doors.ts';
-import { placeDoors } from '../../core/place-doors.ts';
-import { sayUnit, sourceCoordinates } from '../../core/source-coordinates.ts';
-import type { FloorPlan, Gap, Opening, Storey } from '../../core/types.ts';
-import type { Stretch } from '../model.ts';
-
-/** Plan metres. */
-export type Place = readonly [x: number, y: number];
+import { doorOutlines, placeDoors } from '../../core/place-doors.ts';
+import { sayCoordinates, sayUnit, sourceCoordinates } from '../../core/source-coordinates.ts';
+import type { FloorPlan, Gap, Opening, Storey, Vec2 } from '../../core/types.ts';
+import { directionOf, lengthOf, middleOf, type Stretch } from '../stretch.ts';
 
 /** Of a door about to be cut, m. */
 export interface DoorSize {
@@ -27,7 +24,7 @@ const WRITTEN_DIGITS = 3;
 const SAID = 0.01;
 
 /**
- * The doors of one storey as the parameter `doors` says them, and what one more or less makes of the parameter. Every
+ * The doors of the lowest storey, which alone gets any, as the parameter `doors` says them, and what one more or less makes of the parameter. Every
  * door is placed by the core's own rule, so what a person sees before a cut is what the plan gets.
  */
 export class PlanDoors {
@@ -38,9 +35,9 @@ export class PlanDoors {
   readonly #text: string;
 
   /** @param text the parameter `doors`; it may be ahead of the plan while a run is under way */
-  constructor(plan: FloorPlan, storey: number, text: string) {
+  constructor(plan: FloorPlan, text: string) {
     this.#plan = plan;
-    this.#storey = plan.storeys[storey];
+    [this.#storey] = plan.storeys;
     this.#text = text;
     const { gaps, cuts } = parseDoors(text);
     const ofGaps = (gaps ? this.gaps : []).map((gap) => this.#place('gaps', [gap]));
@@ -53,12 +50,12 @@ export class PlanDoors {
   }
 
   /** The door at a place, or less than `reach` metres beside it. */
-  at(place: Place, reach: number): PlanDoor | null {
+  at(place: Vec2, reach: number): PlanDoor | null {
     return this.doors.find(({ opening }) => this.#isOn(opening, place, reach)) ?? null;
   }
 
   /** The gap without a door at a place, or less than `reach` metres beside it. */
-  gapAt(place: Place, reach: number): Gap | null {
+  gapAt(place: Vec2, reach: number): Gap | null {
     return this.gaps.find((gap) => this.#isOn(gap, place, reach) && !this.inGap(gap)) ?? null;
   }
 
@@ -67,17 +64,17 @@ export class PlanDoors {
   }
 
   /** The door that would be cut at a place, moved along its wall to where it fits; null off every wall. */
-  fit(place: Place, size: DoorSize): Opening | null {
+  fit(place: Vec2, size: DoorSize): Opening | null {
     const found = this.#cutAt(place, size);
-    if (!found || widthOf(found) >= size.width - WRITTEN) return found;
+    if (!found || lengthOf(found) >= size.width - WRITTEN) return found;
     const [ux, uy] = directionOf(found);
-    const along = ([x, y]: Place) => (x - place[0]) * ux + (y - place[1]) * uy;
+    const along = ([x, y]: Vec2) => (x - place[0]) * ux + (y - place[1]) * uy;
     // On one side the wall ends: the door goes there.
     const half = size.width / 2;
     const isAtStart = -along(found.from) < along(found.to);
     const [[x, y], way] = isAtStart ? [found.from, half] : [found.to, -half];
     const moved = this.#cutAt([x + way * ux, y + way * uy], size);
-    return moved && widthOf(moved) > widthOf(found) ? moved : found;
+    return moved && lengthOf(moved) > lengthOf(found) ? moved : found;
   }
 
   /** The door as wide as a gap; null where that is no size for one, or no wall stands along it. */
@@ -107,11 +104,7 @@ export class PlanDoors {
   /** The middle of a stretch as a person finds it in the source: `3.20, 0.00 m`. */
   sayPlace(stretch: Stretch): string {
     const { frame } = this.#plan;
-    const source = sourceCoordinates(frame, SAID);
-    const [x, y] = middleOf(stretch);
-    // Twice, since rounding may leave a negative zero.
-    const say = (value: number) => Number(value.toFixed(source.digits)).toFixed(source.digits);
-    return `${say(source.x(x))}, ${say(source.y(y))} ${sayUnit(frame.unit)}`;
+    return `${sayCoordinates(frame, middleOf(stretch), SAID)} ${sayUnit(frame.unit)}`;
   }
 
   #cutOf(stretch: Stretch, height?: number): DoorCut {
@@ -120,12 +113,12 @@ export class PlanDoors {
     return doorCut({
       x: Number(source.x(x).toFixed(source.digits)),
       y: Number(source.y(y).toFixed(source.digits)),
-      width: Number(widthOf(stretch).toFixed(WRITTEN_DIGITS)),
+      width: Number(lengthOf(stretch).toFixed(WRITTEN_DIGITS)),
       height,
     });
   }
 
-  #cutAt([planX, planY]: Place, { width, height }: DoorSize): Opening | null {
+  #cutAt([planX, planY]: Vec2, { width, height }: DoorSize): Opening | null {
     const source = sourceCoordinates(this.#plan.frame);
     const cut = doorCut({ x: source.x(planX), y: source.y(planY), width, height });
     return this.#place(formatDoors({ gaps: false, cuts: [cut] }));
@@ -134,20 +127,25 @@ export class PlanDoors {
   /** One entry of the parameter as the core places it. */
   #place(doors: string, gaps: readonly Gap[] = []): Opening | null {
     const { frame, options } = this.#plan;
-    const { primary, height } = this.#storey;
-    const outlines = primary.map((polygon) => ({ polygon, confidence: 1 }));
+    const { height } = this.#storey;
+    const outlines = doorOutlines(this.#storey);
     const site = { outlines, gaps, frame, height, options: { ...options, doors } };
     return placeDoors(site, { warn: ignore })[0] ?? null;
   }
 
-  #isOn(stretch: Stretch, [x, y]: Place, reach: number): boolean {
+  #isOn(stretch: Stretch, [x, y]: Vec2, reach: number): boolean {
     const [ux, uy] = directionOf(stretch);
     const [dx, dy] = [x - stretch.from[0], y - stretch.from[1]];
     const [along, aside] = [dx * ux + dy * uy, Math.abs(ux * dy - uy * dx)];
     // A gap lies on the outline, a door in the middle of the wall.
     const deep = this.#plan.options.wallThickness;
-    return along >= -reach && along <= widthOf(stretch) + reach && aside <= deep + reach;
+    return along >= -reach && along <= lengthOf(stretch) + reach && aside <= deep + reach;
   }
+}
+
+/** Whether a storey shown is the one that gets doors; a number beyond the last stands for the last. */
+export function isLowest({ storeys }: FloorPlan, storey: number): boolean {
+  return storey === 0 || storeys.length === 1;
 }
 
 function ofOrigin(kind: 'gap' | 'cut', openings: readonly (Opening | null)[]): PlanDoor[] {
@@ -156,19 +154,6 @@ function ofOrigin(kind: 'gap' | 'cut', openings: readonly (Opening | null)[]): P
 
 function doorCut({ height, ...cut }: Pick<DoorCut, 'x' | 'y'> & DoorSize): DoorCut {
   return height === undefined ? cut : { ...cut, height };
-}
-
-function middleOf({ from, to }: Stretch): Place {
-  return [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
-}
-
-export function widthOf({ from, to }: Stretch): number {
-  return Math.hypot(to[0] - from[0], to[1] - from[1]);
-}
-
-function directionOf({ from, to }: Stretch): Place {
-  const length = widthOf({ from, to }) || 1;
-  return [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
 }
 
 /** A place off every wall is no warning while a person looks for one. */

@@ -1,13 +1,14 @@
 import { planPlace, sayScale, sourceCoordinates } from '../../core/source-coordinates.ts';
-import type { Frame } from '../../core/types.ts';
+import type { Frame, Vec2 } from '../../core/types.ts';
 import { formatLength } from '../../view/measure.ts';
 import type { SheetPlace } from '../../view/sheet.ts';
 import type { SheetMark } from '../../view/sheet-marks.ts';
 import type { Actions, Model } from '../model.ts';
 import type { PlanTool } from '../plan-tool.ts';
+import { lengthOf, type Stretch } from '../stretch.ts';
 import { MeasureBar } from './measure-bar.ts';
 import { scaleFor } from './scale.ts';
-import { lengthOf, outlineEdges, type Place, type PlanEdge, planEdges, type Snapped, snap } from './snap.ts';
+import { outlineEdges, planEdges, type Snapped, snap } from './snap.ts';
 
 /** A corner catches from this many times the reach of a hand. */
 const CATCH = 2.5;
@@ -22,13 +23,13 @@ export class MeasureTool implements PlanTool {
   readonly #actions: Actions;
   readonly #redraw: () => void;
   #model: Model | null = null;
-  #edges: readonly PlanEdge[] = [];
+  #edges: readonly Stretch[] = [];
   /** The longest edges, longest first. */
-  #offered: readonly PlanEdge[] = [];
+  #offered: readonly Stretch[] = [];
   /** Which of them is measured; null for two points. */
   #chosen: number | null = null;
   /** Places pressed, in source units and coordinates: they stay where they are when the scale changes. */
-  #picked: readonly Place[] = [];
+  #picked: readonly Vec2[] = [];
   #aim: Snapped | null = null;
 
   constructor(actions: Actions, redraw: () => void) {
@@ -68,7 +69,7 @@ export class MeasureTool implements PlanTool {
     if (!frame) return;
     const { at } = snap(this.#edges, place.at, CATCH * place.reach);
     const to = sourceCoordinates(frame);
-    const picked: Place = [to.x(at[0]), to.y(at[1])];
+    const picked: Vec2 = [to.x(at[0]), to.y(at[1])];
     const isSecond = this.#chosen === null && this.#picked.length === 1;
     this.#pick(isSecond ? [...this.#picked, picked] : [picked], null);
     if (isSecond) this.bar.focusLength();
@@ -91,7 +92,7 @@ export class MeasureTool implements PlanTool {
   }
 
   /** What is measured, plan metres; less than two while points are being pressed. */
-  get #ends(): readonly Place[] {
+  get #ends(): readonly Vec2[] {
     const frame = this.#frame;
     return frame ? this.#picked.map(([x, y]) => planPlace(frame, x, y)) : [];
   }
@@ -120,7 +121,7 @@ export class MeasureTool implements PlanTool {
     );
   }
 
-  #pick(picked: readonly Place[], chosen: number | null): void {
+  #pick(picked: readonly Vec2[], chosen: number | null): void {
     this.#picked = picked;
     this.#chosen = chosen;
     this.bar.clear();
@@ -154,7 +155,7 @@ export class MeasureTool implements PlanTool {
     this.#redraw();
   }
 
-  #state([from, to]: readonly Place[], isScaled: boolean): string {
+  #state([from, to]: readonly Vec2[], isScaled: boolean): string {
     const frame = this.#frame;
     const scale = isScaled && frame?.unit === 'custom' ? ` ${sayScale('custom', frame.metresPerUnit)}.` : '';
     if (!from) return `${START}${scale}`;
@@ -162,7 +163,7 @@ export class MeasureTool implements PlanTool {
     return `${this.#say(lengthOf({ from, to }))} in the plan.${scale}`;
   }
 
-  #lengthMark(from: Place, to: Place): SheetMark {
+  #lengthMark(from: Vec2, to: Vec2): SheetMark {
     return { kind: 'length', from, to, words: this.#say(lengthOf({ from, to })) };
   }
 

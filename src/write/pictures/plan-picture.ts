@@ -2,7 +2,7 @@ import { countOf } from '../../core/count-words.ts';
 import { areaOf, combine } from '../../core/geometry/areas.ts';
 import { boundsOfAll, ringsOf } from '../../core/geometry/rings.ts';
 import type { StageResults } from '../../core/stage-results.ts';
-import type { SecondaryBoundary } from '../../core/types.ts';
+import type { SecondaryBoundary, Storey } from '../../core/types.ts';
 import { wallSection } from '../../solid/sections.ts';
 import { hatch } from '../hatch.ts';
 import { HATCHES } from '../secondary-hatch.ts';
@@ -41,8 +41,15 @@ export function drawPlan({ plan }: Partial<StageResults>): Drawing | null {
       `walls ${thickness.toFixed(2)} × ${storey.height.toFixed(2)} m`,
       ...operationCounts(secondary),
     ],
-    legend: gaps.length === 0 ? [] : [{ colour: AMBER, label: countOf(gaps.length, 'bridged gap') }],
+    legend: gaps.length === 0 ? [] : [{ colour: AMBER, label: gapWords(storey) }],
   };
+}
+
+/** Of rooms nothing is bridged: what nobody saw is there all the same. */
+function gapWords({ gaps, rooms }: Storey): string {
+  return rooms.length > 0
+    ? countOf(gaps.length, 'inferred stretch', 'inferred stretches')
+    : countOf(gaps.length, 'bridged gap');
 }
 
 function secondaryMarks({ outline, operation }: SecondaryBoundary, i: number, view: TopView): string[] {

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { summaryText } from '../../../src/cli/summary.ts';
+import { kebabCase } from '../../../src/core/params.ts';
 import type { Report } from '../../../src/session/report.ts';
 
 const INPUT: Report['input'] = {
@@ -38,4 +39,9 @@ test('a person at a terminal sees what was kept, unit, axis, area and warnings w
     warnings: [],
   } as const;
   expect(summaryText(scaled)).toContain('1 unit = 2.5 m');
+});
+
+test('names with figures in them are flags too', () => {
+  const warnings = [{ code: 'a/b', message: 'Few points.', hint: 'Raise samplesPer50M2.' }];
+  expect(summaryText({ ...REPORT, warnings })).toContain(`Raise --${kebabCase('samplesPer50M2')}.`);
 });

@@ -30,6 +30,7 @@ test('several storeys: drawn formats once a storey, the others with all of them'
   expect(namesOf(writeFiles(product, 'svg'))).toEqual(['plan-0.svg', 'plan-1.svg']);
   expect(namesOf(writeFiles(product, 'frame'))).toEqual(['plan-0.frame.json', 'plan-1.frame.json']);
   expect(namesOf(writeFiles(product, 'geojson'))).toEqual(['plan.geojson']);
+  expect(namesOf(writeFiles(product, 'slice'))).toEqual(['slice.csv']);
   const [ground, first] = writeFiles(product, 'svg').map(({ content }) => content as string);
   expect(ground).toContain('storey 0 of 0 to 1');
   expect(first).toContain('storey 1 of 0 to 1');

@@ -52,6 +52,37 @@ test('every kind has the geometry and the properties of the contract', async () 
   expect(features.every(({ type }) => type === 'Feature')).toBe(true);
 });
 
+test('a stretch that no point supports tells its length, and the room it is of where there are rooms', async () => {
+  const gaps = [
+    { from: [1, 0], to: [2.5, 0], width: 1.5, room: 'Room 2' },
+    { from: [0, 1], to: [0, 2], width: 1 },
+  ] as const;
+  const features = await featuresOf({ storeys: [{ ...everything, gaps }] });
+  const stretches = features.filter(({ properties }) => properties.kind === 'inferred-stretch');
+  expect(stretches.map(({ geometry, properties }) => [geometry, properties])).toEqual([
+    [
+      {
+        type: 'LineString',
+        coordinates: [
+          [1, 0],
+          [2.5, 0],
+        ],
+      },
+      { kind: 'inferred-stretch', storey: 0, lengthM: 1.5, room: 'Room 2' },
+    ],
+    [
+      {
+        type: 'LineString',
+        coordinates: [
+          [0, 1],
+          [0, 2],
+        ],
+      },
+      { kind: 'inferred-stretch', storey: 0, lengthM: 1 },
+    ],
+  ]);
+});
+
 test('rings are closed, outer ones counter-clockwise, holes clockwise, however they came', async () => {
   const primary = [{ outer: reversed(rectangle(0, 0, 4, 3)), holes: [rectangle(1, 1, 1, 1)] }];
   const [{ geometry }] = await featuresOf({ storeys: [{ primary }] });

@@ -6,6 +6,7 @@ import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
 import { vertexCount } from '../../../src/core/geometry/rings.ts';
 import type { Options } from '../../../src/core/params.ts';
 import type { StageResults } from '../../../src/core/stage-results.ts';
+import type { Storey } from '../../../src/core/types.ts';
 import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import { Session } from '../../../src/session/session.ts';
 import {
@@ -224,6 +225,20 @@ test('a bridged gap is marked and can be picked by its number', async () => {
     const gap = parseXml(drawPicture(name, evidence)!).byId('gap-0')!;
     expect(gap.getAttribute('data-pick')).toBe('gap:0');
   }
+});
+
+test('what nobody saw of a room is no bridged gap', () => {
+  const { plan } = home.evidence;
+  const [storey] = plan!.storeys;
+  const gap = { from: [0, 0], to: [1, 0], width: 1 } as const;
+  const withGap = (rooms: Storey['rooms']) =>
+    drawPicture('plan', {
+      ...home.evidence,
+      plan: { ...plan!, storeys: [{ ...storey, rooms, gaps: [gap] }] },
+    });
+  expect(storey.rooms.length).toBeGreaterThan(0);
+  expect(withGap(storey.rooms)).toContain('1 inferred stretch<');
+  expect(withGap([])).toContain('1 bridged gap<');
 });
 
 /** A room of 6 m × 4 m whose lower wall is open over 1 m, in canvas pixels. */

@@ -8,6 +8,7 @@ import {
 import { createStrokeTest } from '../../../../src/cli/canvas-stroke.ts';
 import { areaOf, combine } from '../../../../src/core/geometry/areas.ts';
 import { isSimpleRing } from '../../../../src/core/geometry/simplicity.ts';
+import { distanceToRing } from '../../../../src/core/secondary/structure.ts';
 import type { FloorPlan, Polygon, Solid, Storey } from '../../../../src/core/types.ts';
 import { blobSource } from '../../../../src/read/bytes/blob-source.ts';
 import { Session } from '../../../../src/session/session.ts';
@@ -83,11 +84,22 @@ describe('a furnished home', () => {
   });
 });
 
-it('a house has a plan a storey', async () => {
+it('a house has a plan a storey, with stretches nobody saw by room', async () => {
   const { plan, measures } = await make({ name: 'house', building: homeBuilding(43, { storeys: 2 }) });
   expect(plan.storeys.map(({ index }) => index)).toEqual([0, 1]);
   expect(plan.storeys[1].floor - plan.storeys[0].floor).toBeGreaterThan(2.4);
   expect(measures.roomF1).toBeGreaterThan(0.9);
+  for (const { rooms, gaps } of plan.storeys) {
+    expect(gaps.length).toBeGreaterThan(0);
+    // What no point supports is told with the room whose outline it is of.
+    for (const { from, to, room } of gaps) {
+      const { outer, holes } = rooms.find(({ name }) => name === room)!.outline;
+      for (const place of [from, to]) {
+        const away = [outer, ...holes].map((ring) => distanceToRing(...place, ring));
+        expect(Math.min(...away)).toBeLessThan(1e-6);
+      }
+    }
+  }
 });
 
 it('a curved wall is a fine polygon on its arc', async () => {

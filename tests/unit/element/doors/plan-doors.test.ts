@@ -1,7 +1,7 @@
 import { describe, expect, it, test } from 'vitest';
 import { placeDoors } from '../../../../src/core/place-doors.ts';
 import type { FloorPlan, Gap, Opening } from '../../../../src/core/types.ts';
-import { PlanDoors } from '../../../../src/element/doors/plan-doors.ts';
+import { isLowest, PlanDoors } from '../../../../src/element/doors/plan-doors.ts';
 import { planOf, ring, wallAround } from '../../solid/plans.ts';
 
 const room = ring(0, 0, 6, 0, 6, 4, 0, 4);
@@ -19,7 +19,7 @@ function planHere(): FloorPlan {
 }
 
 function doorsOf(text: string) {
-  return new PlanDoors(planHere(), 0, text);
+  return new PlanDoors(planHere(), text);
 }
 
 /** What the core makes of the parameter. */
@@ -117,5 +117,29 @@ test('a place is said in the source, without a negative zero', () => {
   expect(doorsOf('none').sayPlace(gaps[0])).toBe('691002600, 5336000000 mm');
   const plan = planOf({ storeys: [{ primary: [{ outer: room, holes: [] }], walls, gaps }] });
   const beside = { from: [2, -0.001], to: [3.2, -0.001] } as const;
-  expect(new PlanDoors(plan, 0, 'none').sayPlace(beside)).toBe('2.60, 0.00 m');
+  expect(new PlanDoors(plan, 'none').sayPlace(beside)).toBe('2.60, 0.00 m');
+});
+
+test('in a plan of rooms a door is cut where the plan gets it: in the wall between two', () => {
+  const outlines = [ring(0, 0, 3, 0, 3, 4, 0, 4), ring(3.12, 0, 6, 0, 6, 4, 3.12, 4)];
+  const rooms = outlines.map((outer, i) => ({
+    name: `Room ${i + 1}`,
+    outline: { outer, holes: [] },
+    height: 2.5,
+    confidence: 0.9,
+  }));
+  const { storeys, ...plan } = planHere();
+  const house = { ...plan, storeys: [{ ...storeys[0], rooms }] };
+  const doors = new PlanDoors(house, 'none');
+  expect(doorsOf('none').fit([3.11, 2], { width: 0.9 })).toBeNull();
+  const { from, to } = doors.fit([3.11, 2], { width: 0.9 })!;
+  expect([from[0], to[0]]).toEqual([3.1, 3.1]);
+  expect(Math.abs(to[1] - from[1])).toBeCloseTo(0.9, 9);
+});
+
+test('the lowest storey alone gets doors', () => {
+  const { storeys, ...plan } = planHere();
+  const house = { ...plan, storeys: [storeys[0], { ...storeys[0], index: 1 }] };
+  expect([0, 1].map((storey) => isLowest(house, storey))).toEqual([true, false]);
+  expect(isLowest(planHere(), 1)).toBe(true);
 });

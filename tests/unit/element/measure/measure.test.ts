@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { scaleFor } from '../../../../src/element/measure/scale.ts';
-import { lengthOf, outlineEdges, planEdges, snap } from '../../../../src/element/measure/snap.ts';
+import { outlineEdges, planEdges, snap } from '../../../../src/element/measure/snap.ts';
+import { lengthOf } from '../../../../src/element/stretch.ts';
 import { planOf, ring, wallAround } from '../../solid/plans.ts';
 
 const room = ring(0, 0, 6, 0, 6, 4, 0, 4);
