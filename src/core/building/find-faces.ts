@@ -1,5 +1,4 @@
 import { Moments } from '../geometry/moments.ts';
-import { medianOf } from '../robust-scale.ts';
 import { columnDirections } from './column-directions.ts';
 import { alongOf, asideOf, type Face, type Line, pointOn } from './face.ts';
 import type { FaceSite } from './face-support.ts';
@@ -16,11 +15,13 @@ const MOST_TURN = (20 * Math.PI) / 180;
 const SHORTEST = 0.15;
 /** A line this long is no chord of a curved wall, m: with a radius up to 10 m it would leave its band. */
 const SURELY_STRAIGHT = 2;
-/** Points scatter more than this across no arc, m: it would be a corner … */
-const MOST_ARC_NOISE = 0.03;
-/** … nor more than so many times what they do across straight walls, or this, m. */
-const NOISE_RATIO = 1.4;
+/** Points scatter across a wall no more than so many times what they usually do, or this, m: else it is clutter in a row. */
+const WALL_NOISE_RATIO = 3;
+const LEAST_WALL_NOISE = 0.02;
+/** Across an arc they may less, and never more than the last, m: it would be a corner. */
+const ARC_NOISE_RATIO = 1.7;
 const LEAST_ARC_NOISE = 0.005;
+const MOST_ARC_NOISE = 0.03;
 /** Fewer columns make no line. */
 const FEWEST = 3;
 /** A growing line is looked on past its ends by its own length, or by this, m. */
@@ -51,35 +52,43 @@ export function findFaces({ cloud, columns, ceiling }: FaceSite): FoundFaces {
   const take = (members: readonly number[]) => {
     for (const c of members) isFree[c] = 0;
   };
-  const straight: Face[] = [];
-  const curved: CurvedFace[] = [];
   const growLines = (shortest: number) => {
+    const grown: Face[] = [];
     for (const seed of seeds) {
       const line = isFree[seed] === 1 ? growLine(walls, seed) : null;
       if (!line || line.to - line.from < shortest) continue;
       const face = fitLine(cloud, columns, line);
       if (!face) continue;
       take(line.members);
-      straight.push(face);
+      grown.push(face);
     }
+    return grown;
   };
-  growLines(SURELY_STRAIGHT);
-  const mostNoise = mostArcNoise(straight);
+  const long = growLines(SURELY_STRAIGHT);
+  const usual = usualNoise(long);
+  const mostArcNoise = Math.min(MOST_ARC_NOISE, Math.max(LEAST_ARC_NOISE, ARC_NOISE_RATIO * usual));
+  const curved: CurvedFace[] = [];
   for (const seed of seeds) {
     const arc = isFree[seed] === 1 ? growArc(walls, seed) : null;
     const face = arc && fitArc(cloud, columns, arc);
-    if (!face || face.noise > mostNoise) continue;
+    if (!face || face.noise > mostArcNoise) continue;
     take(face.members);
     curved.push(face);
   }
-  growLines(SHORTEST);
+  const mostNoise = Math.max(LEAST_WALL_NOISE, WALL_NOISE_RATIO * usual);
+  const straight = [...long, ...growLines(SHORTEST)].filter(({ noise }) => noise <= mostNoise);
   return { straight, curved };
 }
 
-function mostArcNoise(straight: readonly Face[]): number {
-  if (straight.length === 0) return MOST_ARC_NOISE;
-  const usual = medianOf(Float64Array.from(straight, ({ noise }) => noise));
-  return Math.min(MOST_ARC_NOISE, Math.max(LEAST_ARC_NOISE, NOISE_RATIO * usual));
+/** The noise of the faces on which half of all points lie: walls, since clutter has fewer. */
+function usualNoise(faces: readonly Face[]): number {
+  const rising = [...faces].sort((a, b) => a.noise - b.noise);
+  let rest = faces.reduce((sum, { support }) => sum + support, 0) / 2;
+  for (const { noise, support } of rising) {
+    rest -= support;
+    if (rest <= 0) return noise;
+  }
+  return MOST_ARC_NOISE;
 }
 
 /** Lets a line grow from a column. */
