@@ -1,0 +1,163 @@
+import { describe, expect, it } from 'vitest';
+import { ceilingAcross } from '../../../../src/core/building/ceiling-across.ts';
+import type { Face } from '../../../../src/core/building/face.ts';
+import type { StoreyHeights } from '../../../../src/core/building/find-storeys.ts';
+import { findStoreys } from '../../../../src/core/building/find-storeys.ts';
+import { type HeightColumns, heightColumns } from '../../../../src/core/building/height-columns.ts';
+import { localCeiling } from '../../../../src/core/building/local-ceiling.ts';
+import { isClearColumn, seenSpace } from '../../../../src/core/building/seen-space.ts';
+import { wallColumns } from '../../../../src/core/building/wall-columns.ts';
+import type { PointCloud } from '../../../../src/core/types.ts';
+
+const STEP = 0.04;
+
+/** Points of level rectangles and upright walls along x, z each its own; metres. */
+class Scan {
+  readonly #xyz: number[] = [];
+
+  level(z: number, [minX, minY, maxX, maxY]: readonly [number, number, number, number]): this {
+    for (let x = minX + STEP / 2; x < maxX; x += STEP)
+      for (let y = minY + STEP / 2; y < maxY; y += STEP) this.#xyz.push(x, y, z);
+    return this;
+  }
+
+  /** A wall along y = `y`. */
+  wall(y: number, [minX, maxX]: readonly [number, number], [low, high]: readonly [number, number]): this {
+    for (let x = minX + STEP / 2; x < maxX; x += STEP)
+      for (let z = low + STEP / 2; z < high; z += STEP) this.#xyz.push(x, y, z);
+    return this;
+  }
+
+  cloud(): PointCloud {
+    return {
+      frame: {
+        origin: [0, 0, 0],
+        planOrigin: [0, 0, 0],
+        rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1],
+        metresPerUnit: 1,
+        unit: 'm',
+        up: 'z',
+        tilt: 0,
+      },
+      positions: Float32Array.from(this.#xyz),
+      attributes: {},
+      stations: [],
+      floor: null,
+      ceiling: null,
+      reasons: { unit: '', up: '' },
+      isFlat: false,
+    };
+  }
+}
+
+const all = ({ positions }: PointCloud) => Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
+const columnsOf = (cloud: PointCloud, heights: StoreyHeights) => heightColumns(cloud, all(cloud), heights);
+const columnAt = ({ table, size }: HeightColumns, x: number, y: number) =>
+  table.find(Math.floor(x / size), Math.floor(y / size), 0);
+
+describe('storeys', () => {
+  it('are as high as their highest ceiling, however little of it is left above lowered ones', () => {
+    const cloud = new Scan().level(0, [0, 0, 6, 6]).level(2.4, [0, 0, 6, 5]).level(2.9, [0, 5, 6, 6]).cloud();
+    const [{ floor, ceiling, isOpenAbove }] = findStoreys(cloud, all(cloud));
+    expect(floor).toBeCloseTo(0, 2);
+    expect(ceiling).toBeCloseTo(2.9, 2);
+    expect(isOpenAbove).toBeUndefined();
+  });
+
+  it('without a ceiling are as high as their walls', () => {
+    const cloud = new Scan()
+      .level(0, [0, 0, 6, 6])
+      .wall(0, [0, 6], [0, 2.7])
+      .wall(6, [0, 6], [0, 2.7])
+      .cloud();
+    const [storey] = findStoreys(cloud, all(cloud));
+    expect(storey).toMatchObject({ isOpenAbove: true });
+    expect(storey.ceiling - storey.floor).toBeGreaterThan(2.6);
+    expect(storey.ceiling - storey.floor).toBeLessThan(2.8);
+  });
+
+  it('are none where nothing stands on the floor, or only furniture', () => {
+    const bare = new Scan().level(0, [0, 0, 6, 6]).cloud();
+    expect(findStoreys(bare, all(bare))).toEqual([]);
+    const low = new Scan().level(0, [0, 0, 6, 6]).wall(0, [0, 6], [0, 1.1]).cloud();
+    expect(findStoreys(low, all(low))).toEqual([]);
+  });
+});
+
+describe('what hangs over a column', () => {
+  const heights = { floor: 0, ceiling: 3 };
+  const cloud = new Scan()
+    .level(0, [0, 0, 8, 4])
+    .level(3, [0, 0, 4, 4])
+    .level(2.3, [4, 0, 8, 4])
+    .level(2.1, [6, 1, 6.6, 1.6])
+    .wall(2, [0, 4], [0, 3])
+    .cloud();
+  const columns = columnsOf(cloud, heights);
+
+  it('is the ceiling of the storey, or a lowered one', () => {
+    expect(columns.overhead[columnAt(columns, 2, 1)]).toBeCloseTo(3, 2);
+    expect(columns.overhead[columnAt(columns, 5, 3)]).toBeCloseTo(2.3, 2);
+    expect(isClearColumn(columns, columnAt(columns, 5, 3))).toBe(true);
+  });
+
+  it('is no small surface, as a door head is', () => {
+    const small = new Scan().level(0, [0, 0, 4, 4]).level(2.1, [1, 1, 2, 1.3]).cloud();
+    const own = columnsOf(small, heights);
+    expect(own.overhead[columnAt(own, 1.5, 1.15)]).toBeNaN();
+  });
+
+  it('does not make a wall of a lowered ceiling, nor hide one that stands below it', () => {
+    const isWall = wallColumns(columns, localCeiling(columns));
+    expect(isWall[columnAt(columns, 5, 3)]).toBe(0);
+    expect(isWall[columnAt(columns, 2, 2)]).toBe(1);
+  });
+});
+
+describe('the ceiling across a face', () => {
+  const heights = { floor: 0, ceiling: 2.6 };
+  const face: Face = { nx: 0, ny: 1, offset: 2, from: -4, to: 0, members: [], noise: 0.005, support: 1 };
+  const bits = { from: -4, step: 0.05, count: 80 };
+  const across = (scan: Scan) => {
+    const cloud = scan.cloud();
+    return ceilingAcross(cloud, columnsOf(cloud, heights), face, bits);
+  };
+
+  it('goes on over a cupboard', () => {
+    const scan = new Scan().level(0, [0, 0, 4, 2]).level(2.6, [0, 0, 4, 4]).wall(2, [0, 4], [0, 2.3]);
+    for (const share of across(scan)) expect(share).toBe(1);
+  });
+
+  it('ends at a wall, whether there is a room behind it or not', () => {
+    const before = new Scan().level(0, [0, 0, 4, 2]).level(2.6, [0, 0, 4, 2]).wall(2, [0, 4], [0, 2.6]);
+    for (const share of across(before)) expect(share).toBe(0);
+    before.level(2.6, [0, 2.12, 4, 4]);
+    for (const share of across(before)) expect(share).toBe(0);
+  });
+
+  it('is not known where none was seen', () => {
+    const scan = new Scan().level(0, [0, 0, 4, 2]).wall(2, [0, 4], [0, 2.6]);
+    for (const share of across(scan)) expect(share).toBeNaN();
+  });
+});
+
+describe('seen space', () => {
+  it('marks what lies unseen between places that were seen: a wall, not the outside', () => {
+    const cloud = new Scan()
+      .level(0, [0, 0, 4, 2])
+      .level(0, [0, 2.2, 4, 4])
+      .level(2.6, [0, 0, 4, 2])
+      .level(2.6, [0, 2.2, 4, 4])
+      .wall(2, [0, 4], [0, 2.6])
+      .wall(2.2, [0, 4], [0, 2.6])
+      .wall(4, [0, 4], [0, 2.6])
+      .cloud();
+    const columns = columnsOf(cloud, { floor: 0, ceiling: 2.6 });
+    const seen = seenSpace(columns);
+    expect(seen.isBetween[columnAt(columns, 2, 2)]).toBe(1);
+    expect(seen.isBetween[columnAt(columns, 2, 4)]).toBe(0);
+    expect(seen.isSeen[columnAt(columns, 2, 1)]).toBe(1);
+    expect(seen.isOpen(2, 1)).toBe(true);
+    expect(seen.isOpen(2, 2)).toBe(false);
+  });
+});
