@@ -13,6 +13,7 @@ import type { FloorPlan, Polygon, Solid, Storey } from '../../../../src/core/typ
 import { blobSource } from '../../../../src/read/bytes/blob-source.ts';
 import { Session } from '../../../../src/session/session.ts';
 import { checkSolid } from '../../../../src/solid/check-solid.ts';
+import { CORPUS } from '../../../accuracy/corpus.ts';
 import { measurePlan } from '../../../accuracy/measure.ts';
 import type { Measures } from '../../../accuracy/measures.ts';
 
@@ -116,6 +117,25 @@ it('a column is a structure, not a room', async () => {
   const { plan, measures } = await make({ name: 'column', building: columnRoomBuilding(45, 'round') });
   expect(plan.storeys[0].rooms).toHaveLength(1);
   expect(measures.structureF1).toBe(1);
+});
+
+const corpusScene = (name: string): SceneSpec => {
+  const { spec } = CORPUS.find((scene) => scene.name === name && !scene.isHeldBack)!;
+  const scene = spec();
+  return { ...scene, scan: { ...scene.scan, mostRays: 250_000 } };
+};
+
+it('a home scanned without its ceilings has its rooms', async () => {
+  const { measures } = await make(corpusScene('home-no-ceiling-138'));
+  expect(measures.roomF1).toBe(1);
+  expect(measures.footprintIou).toBeGreaterThan(0.99);
+  expect(measures.doorF1).toBeGreaterThan(0.8);
+});
+
+it('furnished offices under lowered ceilings have their rooms', async () => {
+  const { measures } = await make(corpusScene('crossing-suspended-152'));
+  expect(measures.roomF1).toBeGreaterThan(0.8);
+  expect(measures.footprintIou).toBeGreaterThan(0.98);
 });
 
 it('a garden wall has no rooms, and says so', async () => {
