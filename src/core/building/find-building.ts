@@ -24,11 +24,25 @@ export function findBuilding(
     const storey = planStorey(cloud, kept, own);
     return storey.rooms.length > 0 ? [storey] : [];
   });
+  if (storeys.some(({ isOpenAbove }) => isOpenAbove)) {
+    warn({
+      code: 'rooms/no-ceiling',
+      message: 'No ceiling was seen: storeys are as high as their walls.',
+      hint: 'A scan that shows the ceilings tells walls from tall furniture, and the heights of rooms.',
+    });
+  }
+  if (storeys.some(({ isOpenBelow }) => isOpenBelow)) {
+    warn({
+      code: 'rooms/no-floor',
+      message: 'No floor was seen: heights are told from the lowest points of the walls.',
+      hint: 'Sills and heights of openings are too low by what is missing below.',
+    });
+  }
   if (storeys.length === 0) {
     warn({
       code: 'rooms/none-found',
       message:
-        'No room was found: no walls that close around a floor or under a ceiling. The outline of the scan is drawn instead.',
+        'No room was found: no walls that close around most of the floor or ceiling seen. The outline of the scan is drawn instead.',
       hint: 'Check the up axis and the unit; a single wall or an open place has no rooms.',
     });
   }

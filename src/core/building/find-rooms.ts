@@ -21,13 +21,29 @@ const REACH = 5;
 /** Faces that stand as walls over less of what was seen of them are furniture or reveals. */
 const LEAST_WALL_SHARE = 0.5;
 
-/** The rooms of a storey. */
+/** Rooms that hold less than this share of the floor or ceiling seen are no plan of it. */
+const LEAST_HELD = 0.5;
+
+/** The rooms of a storey; none where walls and space seen do not agree. */
 export function findRooms(cloud: PointCloud, columns: HeightColumns, ceiling: LocalCeiling): FoundRooms {
   const seen = seenSpace(columns);
   const walls = wallFaces({ cloud, columns, ceiling });
   const first = subdivide(walls, columns, seen);
   const backs = missingBacks(first, columns);
-  return backs.faces.length === 0 ? first : subdivide(joined(walls, backs), columns, seen);
+  const found = backs.faces.length === 0 ? first : subdivide(joined(walls, backs), columns, seen);
+  return holdWhatWasSeen(found, columns, seen) ? found : { ...found, rooms: [] };
+}
+
+/** Whether the rooms are a plan of what was scanned, not chance shapes between stray walls. */
+function holdWhatWasSeen(
+  { rooms, space }: FoundRooms,
+  { size }: HeightColumns,
+  { isSeen }: SeenSpace,
+): boolean {
+  let [all, held] = [0, 0];
+  for (const seen of isSeen) all += seen * size * size;
+  for (const { faces } of rooms) for (const f of faces) held += space.seen[f];
+  return held >= LEAST_HELD * all;
 }
 
 function wallFaces(site: FaceSite): WallFaces {

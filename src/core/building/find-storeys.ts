@@ -24,18 +24,21 @@ const LEAST_REACH = 0.003;
 /** Points that tell a median at most. */
 const SAMPLE = 10_000;
 
-/** Walls without a ceiling are looked for above most furniture, m … */
+/** Walls without a ceiling, or without a floor, are looked for so far from the other, past most furniture, m … */
 const WALLS_FROM = 1.2;
 /** … and end where less than this share of them is left. */
-const TOP_SHARE = 0.5;
+const END_SHARE = 0.5;
 
 /** Heights between which a storey stands, m, in the cloud's frame. */
 export interface StoreyHeights {
+  /** Where none was seen, the lowest points of the walls. */
   readonly floor: number;
   /** The highest ceiling; where none was seen, the tops of the walls. */
   readonly ceiling: number;
   /** No ceiling was seen. */
   readonly isOpenAbove?: true;
+  /** No floor was seen. */
+  readonly isOpenBelow?: true;
 }
 
 /**
@@ -68,7 +71,7 @@ export function findStoreys(cloud: PointCloud, kept: Uint32Array): readonly Stor
     );
     if (floors.length === 0 || hasCeilingBelow) floors.push(z);
   }
-  if (floors.length === 0) return openStorey(cloud, kept, areas, low, peaks);
+  if (floors.length === 0) return openStorey(cloud, kept, { low, areas }, peaks);
   return floors.map((floor, i) => {
     const next = floors[i + 1] ?? Infinity;
     const above = surfaces.filter(({ bin }) => heightAt(bin) >= floor + LEAST_HEIGHT && heightAt(bin) < next);
@@ -80,24 +83,36 @@ export function findStoreys(cloud: PointCloud, kept: Uint32Array): readonly Stor
   });
 }
 
-/** A floor with walls but no ceiling over it: its walls end where hardly any point is above. */
+/**
+ * A floor with walls but no ceiling over it, or a ceiling with walls but no floor below: they end where hardly any point
+ * is farther.
+ */
 function openStorey(
   { positions }: PointCloud,
   kept: Uint32Array,
-  areas: Float64Array,
-  low: number,
+  { low, areas }: HeightAreas,
   peaks: readonly Peak[],
 ): readonly StoreyHeights[] {
   const { bin } = peaks.reduce((best, peak) => (peak.area > best.area ? peak : best));
-  const at = (height: number) => Math.min(areas.length, bin + Math.round(height / BIN));
-  const walls = areas.slice(at(WALLS_FROM), at(LEAST_HEIGHT));
-  if (walls.length === 0) return [];
-  const usual = medianOf(walls);
-  let top = areas.length - 1;
-  while (top > bin && areas[top] < TOP_SHARE * usual) top--;
-  if (top < at(LEAST_HEIGHT)) return [];
-  const floor = refined(positions, kept, low + (bin + 0.5) * BIN);
-  return [{ floor, ceiling: low + (top + 1) * BIN, isOpenAbove: true }];
+  const [above, below] = [1, -1].map((way) => wallsFrom(areas, bin, way));
+  const far = above.area > below.area ? above : below;
+  if (Math.abs(far.end - bin) * BIN < LEAST_HEIGHT) return [];
+  const level = refined(positions, kept, low + (bin + 0.5) * BIN);
+  const end = low + (far.end + (far === above ? 1 : 0)) * BIN;
+  return far === above
+    ? [{ floor: level, ceiling: end, isOpenAbove: true }]
+    : [{ floor: end, ceiling: level, isOpenBelow: true }];
+}
+
+/** Cells of the walls that stand on or hang from a level, and the bin in which they end. */
+function wallsFrom(areas: Float64Array, bin: number, way: number): { area: number; end: number } {
+  const at = (height: number) => bin + way * Math.round(height / BIN);
+  const middle: number[] = [];
+  for (let k = at(WALLS_FROM); k !== at(LEAST_HEIGHT); k += way) middle.push(areas[k] ?? 0);
+  const usual = medianOf(Float64Array.from(middle));
+  let end = way > 0 ? areas.length - 1 : 0;
+  while (end !== bin && areas[end] < Math.max(1, END_SHARE * usual)) end -= way;
+  return { area: usual, end };
 }
 
 interface HeightAreas {

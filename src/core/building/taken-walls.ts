@@ -10,8 +10,8 @@ const WIDEST_PASSAGE = 2.5;
 const THINNEST_WALL = 0.04;
 const THICKEST_WALL = 0.4;
 
-/** A wall that crosses bounds a gap if it stands so far off it, m: more than a wall is thick. */
-const PASSING = 0.6;
+/** A wall that crosses bounds a gap if it stands so far off it, m: more than a wall is thick, or past a door. */
+const PASSING = [0.6, 0.9, 1.2, 1.5];
 
 /** So near behind the other face, m, a room begins and no other face stands … */
 const JUST_BEYOND = 0.1;
@@ -180,8 +180,10 @@ function passesBy(
     const place = crossingOf(face, other);
     if (place === null || Math.abs(alongOf(face, ...place) - along) > NEAR_END) return false;
     const [x, y] = place;
-    const [px, py] = [x + side * PASSING * face.nx, y + side * PASSING * face.ny];
-    return wallAt(own[j], alongOf(other, px, py));
+    // There may be a door beside the gap.
+    return PASSING.some((off) =>
+      wallAt(own[j], alongOf(other, x + side * off * face.nx, y + side * off * face.ny)),
+    );
   });
 }
 
