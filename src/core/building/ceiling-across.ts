@@ -43,6 +43,10 @@ const KINDS = 4;
  * Points of the ceiling just behind the face are compared with what its density before the face lets expect there. The
  * wall's own highest points, which noise spreads evenly to both sides, are taken off: they are what is too many just before
  * it. O(points of the ceiling near the face).
+ *
+ * Not taken: a look over 0.8 or 1.2 m where 0.4 m holds too few points (hard corners at 5 cm .60 → .61, but a corridor is
+ * split where the look reaches past it: rooms of the scenes .996 → .980); one whole standard error (hard corners .61, clean
+ * rooms 1.00 → .99).
  */
 export function ceilingAcross(
   cloud: PointCloud,

@@ -39,7 +39,12 @@ export interface FaceSite {
   readonly ceiling: LocalCeiling;
 }
 
-/** Reads a face's own columns, `reach` beyond its ends. O(columns of the face). */
+/**
+ * Reads a face's own columns, `reach` beyond its ends. O(columns of the face).
+ *
+ * Not taken: reading every column near the line too. Walls seen through a slit above cupboards come out (hard rooms F1 .92
+ * → .95), but so do cupboards and curtains (hard corners at 5 cm .60 → .51).
+ */
 export function supportAlong({ cloud, columns, ceiling }: FaceSite, face: Face, reach: number): FaceSupport {
   const { centres, masks, size } = columns;
   const from = face.from - reach;
