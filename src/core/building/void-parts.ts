@@ -14,6 +14,8 @@ const DEPTH_GAP = 0.12;
 const JAMB_REACH = 0.15;
 /** Width of a jamb's points along the wall, m. */
 const JAMB_WIDTH = 0.06;
+/** Bits of height in which a jamb is seen, m. */
+const JAMB_STEP = 2 * STEP;
 /** A jamb is seen over at least this height, m, no higher than so far above eye height: lintels begin there. */
 const LEAST_JAMB = 0.4;
 const ABOVE_LOOK = 0.1;
@@ -127,18 +129,26 @@ function partsOf(look: WallLook, hole: Void): VoidPart[] {
   return parts;
 }
 
-/** Places along a void where reveals stand upright, in order. */
+/** Places along a void where reveals stand upright, in order. O(points · log points). */
 function jambsIn({ strip }: WallLook, { reveals }: Void): number[] {
   const below = reveals.filter((i) => strip.high[i] < LOOK_TO + ABOVE_LOOK);
-  const sorted = below.map((i) => ({ at: strip.along[i], z: strip.high[i] })).sort((a, b) => a.at - b.at);
+  const order = below.sort((i, j) => strip.along[i] - strip.along[j]);
+  const sorted = Float64Array.from(order, (i) => strip.along[i]);
+  const step = (k: number) => Math.floor(strip.high[order[k]] / JAMB_STEP);
+  // Points at each height within the window that ends at the point looked at.
+  const heights = new Map<number, number>();
   const found: { at: number; weight: number }[] = [];
   let low = 0;
   for (let k = 0; k < sorted.length; k++) {
-    while (sorted[k].at - sorted[low].at > JAMB_WIDTH) low++;
-    const window = sorted.slice(low, k + 1);
-    const steps = new Set(window.map(({ z }) => Math.floor(z / (2 * STEP)))).size;
-    if (window.length < FEWEST || steps * 2 * STEP < LEAST_JAMB) continue;
-    found.push({ at: window[window.length >> 1].at, weight: steps + window.length / 1000 });
+    heights.set(step(k), (heights.get(step(k)) ?? 0) + 1);
+    for (; sorted[k] - sorted[low] > JAMB_WIDTH; low++) {
+      const rest = heights.get(step(low))! - 1;
+      if (rest > 0) heights.set(step(low), rest);
+      else heights.delete(step(low));
+    }
+    const count = k + 1 - low;
+    if (count < FEWEST || heights.size * JAMB_STEP < LEAST_JAMB) continue;
+    found.push({ at: sorted[low + (count >> 1)], weight: heights.size + count / 1000 });
   }
   found.sort((a, b) => b.weight - a.weight);
   const kept: number[] = [];
