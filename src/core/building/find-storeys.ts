@@ -167,8 +167,10 @@ function peaksOf(areas: Float64Array): Peak[] {
 /** Median height of the points around a peak, looked at ever more closely. */
 function refined(positions: Float32Array, kept: Uint32Array, height: number): number {
   let [middle, reach] = [height, (REACH + 1) * BIN];
+  // No round moves farther than its reach.
+  const around = kept.filter((i) => Math.abs(positions[3 * i + 2] - height) <= REFINEMENTS * reach);
   for (let round = 0; round < REFINEMENTS; round++) {
-    const near = kept.filter((i) => Math.abs(positions[3 * i + 2] - middle) <= reach);
+    const near = around.filter((i) => Math.abs(positions[3 * i + 2] - middle) <= reach);
     if (near.length === 0) break;
     // Points are sorted by cell, so a stride takes an even sample.
     const stride = Math.ceil(near.length / SAMPLE);
