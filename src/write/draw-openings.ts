@@ -9,20 +9,43 @@ const DIGITS = 4;
 const AT_JAMB = 1e-4;
 
 /**
- * Draws openings in the walls: thin lines across the wall at both jambs, and for a door a thin line from jamb to jamb,
- * since nobody knows the hinge side.
+ * Draws openings in the walls: thin lines across the wall at both jambs, and between them for a door a thin line, since
+ * nobody knows the hinge side, for a window a line on either face and one in the middle, and for a passage, whose head is
+ * above the plan's cut, dashed lines on the faces.
  */
 export function drawOpenings(storey: Storey, planToSheet: Affine): SheetItem[] {
   const walls = storey.walls.map(({ outline }) => outline);
   return storey.openings.flatMap((opening, i): SheetItem[] => {
     const [box] = openingBoxes({ ...storey, openings: [opening] });
     if (box === undefined) return [];
-    const hole = combine('intersection', walls, [box.base]);
-    const leaf = opening.type === 'door' ? [Float64Array.of(...opening.from, ...opening.to)] : [];
-    const lines = [...jambsOf(hole, opening), ...leaf].map((line) => mapped(line, planToSheet));
+    const jambs = jambsOf(combine('intersection', walls, [box.base]), opening);
+    const [drawn, dashed] = betweenJambs(opening, jambs);
+    const path = (style: 'opening' | 'passage', lines: readonly Float64Array[]) => ({
+      kind: 'path' as const,
+      style,
+      lines: lines.map((line) => mapped(line, planToSheet)),
+      isClosed: false,
+    });
     const data = { kind: opening.type, opening: i, ...placeData(opening) };
-    return [{ kind: 'path', style: 'opening', lines, isClosed: false, id: `opening-${i}`, data }];
+    const items: SheetItem[] = [{ ...path('opening', [...jambs, ...drawn]), id: `opening-${i}`, data }];
+    return dashed.length > 0 ? [...items, path('passage', dashed)] : items;
   });
+}
+
+/** Lines from jamb to jamb, whole ones and dashed ones. */
+function betweenJambs(
+  { type, from, to }: Opening,
+  [left, right]: readonly Float64Array[],
+): [drawn: Float64Array[], dashed: Float64Array[]] {
+  if (type === 'door') return [[Float64Array.of(...from, ...to)], []];
+  if (left === undefined || right === undefined) return [[], []];
+  // Jambs run from one face of the wall to the other, both the same way.
+  const at = (share: number) => [
+    ...[left[0] + share * (left[2] - left[0]), left[1] + share * (left[3] - left[1])],
+    ...[right[0] + share * (right[2] - right[0]), right[1] + share * (right[3] - right[1])],
+  ];
+  const lines = (shares: readonly number[]) => shares.map((share) => Float64Array.from(at(share)));
+  return type === 'window' ? [lines([0, 0.5, 1]), []] : [[], lines([0, 1])];
 }
 
 /** Where a stretch of wall starts and ends, plan metres, for scripts. */

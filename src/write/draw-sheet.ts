@@ -196,7 +196,9 @@ function legendOf(
     ...(walls.length > 0 ? (['wall'] as const) : []),
     ...(gaps.length > 0 ? (['inferred'] as const) : []),
     ...operations,
-    ...(drawn.length > 0 && openings.some(({ type }) => type === 'door') ? (['door'] as const) : []),
+    ...(['door', 'window', 'passage'] as const).filter(
+      (kind) => drawn.length > 0 && openings.some(({ type }) => type === kind),
+    ),
   ];
 }
 

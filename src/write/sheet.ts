@@ -51,6 +51,7 @@ export const LINE_STYLES = {
   hatch: { width: 0.13 },
   inferred: { width: 0.25, dash: [3, 1] },
   opening: { width: 0.25 },
+  passage: { width: 0.25, dash: [1.2, 0.8] },
   dimension: { width: 0.18 },
   tick: { width: 0.35 },
   rule: { width: 0.18 },

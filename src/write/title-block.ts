@@ -1,3 +1,4 @@
+import type { Opening } from '../core/types.ts';
 import { greatestRound } from './decimals.ts';
 import { hatch } from './hatch.ts';
 import { HATCHES } from './secondary-hatch.ts';
@@ -6,7 +7,7 @@ import { MARGIN, STRIP } from './sheet-page.ts';
 import { shorten } from './text-width.ts';
 
 /** A sample in the legend. */
-export type LegendEntry = 'wall' | 'inferred' | 'door' | keyof typeof HATCHES;
+export type LegendEntry = 'wall' | 'inferred' | Opening['type'] | keyof typeof HATCHES;
 
 export interface TitleFacts {
   readonly title: string;
@@ -26,14 +27,16 @@ const LINE_HEIGHT = 4.2;
 const SEGMENTS = 4;
 const LONGEST_SEGMENT = 20;
 const BAR_HEIGHT = 1.6;
-/** Length of the wall at either side of the legend's door, mm. */
-const DOOR_STUMP = 1.6;
+/** Length of the wall at either side of the legend's openings, mm. */
+const WALL_STUMP = 1.6;
 const SWATCH = { width: 8, height: 3.6, column: 40, row: 6 } as const;
 
 const LEGEND: Record<LegendEntry, string> = {
   wall: 'Wall',
   inferred: 'Inferred: no points',
-  door: 'Door: hinge side unknown',
+  door: 'Door, hinge unknown',
+  window: 'Window',
+  passage: 'Passage',
   subtract: 'Structure, subtracted',
   add: 'Structure, added',
   independent: 'Structure, independent',
@@ -154,19 +157,25 @@ function drawSwatch(entry: LegendEntry, box: Float64Array): SheetItem[] {
   });
   if (entry === 'wall') return [outline('scaleBar')];
   if (entry === 'inferred') return [outline('inferred')];
-  if (entry === 'door') return drawDoor(box);
+  if (entry === 'door' || entry === 'window' || entry === 'passage') return drawOpening(entry, box);
   const lines = HATCHES[entry].flatMap(({ angle, spacing }) => hatch([box], angle, spacing));
   return [{ kind: 'path', style: 'hatch', lines, isClosed: false }, outline('swatch')];
 }
 
-/** Two stumps of wall and the thin line between them. */
-function drawDoor(box: Float64Array): SheetItem[] {
+/** Two stumps of wall and the lines between them, as in the plan. */
+function drawOpening(type: Opening['type'], box: Float64Array): SheetItem[] {
   const [left, top, right, , , bottom] = box;
   const stump = (from: number, to: number) => Float64Array.of(from, top, to, top, to, bottom, from, bottom);
-  const [from, to] = [left + DOOR_STUMP, right - DOOR_STUMP];
+  const [from, to] = [left + WALL_STUMP, right - WALL_STUMP];
   const middle = (top + bottom) / 2;
+  const heights = { door: [middle], window: [top, middle, bottom], passage: [top, bottom] }[type];
   return [
     { kind: 'path', style: 'scaleBar', lines: [stump(left, from), stump(to, right)], isClosed: true },
-    { kind: 'path', style: 'opening', lines: [Float64Array.of(from, middle, to, middle)], isClosed: false },
+    {
+      kind: 'path',
+      style: type === 'passage' ? 'passage' : 'opening',
+      lines: heights.map((y) => Float64Array.of(from, y, to, y)),
+      isClosed: false,
+    },
   ];
 }

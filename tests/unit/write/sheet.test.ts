@@ -179,6 +179,35 @@ test('a door interrupts the wall: both jambs and the leaf in thin lines, and the
     { kind: 'gap', gap: 0, from: '0.9 3', to: '2.6 3' },
     { kind: 'gap', gap: 0, from: '0.9 3', to: '2.6 3' },
   ]);
-  expect(texts(layer(sheet, 'title'))).toContain('Door: hinge side unknown');
-  expect(texts(layer(drawSheet(await productOf(), 0), 'title'))).not.toContain('Door: hinge side unknown');
+  expect(texts(layer(sheet, 'title'))).toContain('Door, hinge unknown');
+  expect(texts(layer(drawSheet(await productOf(), 0), 'title'))).not.toContain('Door, hinge unknown');
+});
+
+test('a window has a line on either face and one between, a passage dashed lines on the faces', async () => {
+  const openings = [
+    { type: 'window', from: [1, -0.1], to: [1.9, -0.1], sill: 0.9, head: 2, confidence: 1 } as const,
+    { type: 'passage', from: [1, 3.1], to: [2.5, 3.1], sill: 0, head: 2.4, confidence: 1 } as const,
+  ];
+  const sheet = drawSheet(await productOf({ storeys: [{ openings }] }), 0);
+  const back = inverse(sheet.planToSheet);
+  const drawn = layer(sheet, 'openings').flatMap((item) =>
+    item.kind === 'path'
+      ? item.lines.map((line) => ({
+          style: item.style,
+          line: [...mapped(line, back)].map((value) => Math.round(value * 1e4) / 1e4 + 0),
+        }))
+      : [],
+  );
+  expect(drawn).toEqual([
+    { style: 'opening', line: [1, -0.2, 1, 0] },
+    { style: 'opening', line: [1.9, -0.2, 1.9, 0] },
+    { style: 'opening', line: [1, -0.2, 1.9, -0.2] },
+    { style: 'opening', line: [1, -0.1, 1.9, -0.1] },
+    { style: 'opening', line: [1, 0, 1.9, 0] },
+    { style: 'opening', line: [1, 3, 1, 3.2] },
+    { style: 'opening', line: [2.5, 3, 2.5, 3.2] },
+    { style: 'passage', line: [1, 3, 2.5, 3] },
+    { style: 'passage', line: [1, 3.2, 2.5, 3.2] },
+  ]);
+  expect(texts(layer(sheet, 'title'))).toEqual(expect.arrayContaining(['Window', 'Passage']));
 });
