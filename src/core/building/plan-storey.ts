@@ -4,10 +4,10 @@ import { isSimpleRing } from '../geometry/simplicity.ts';
 import { medianOf } from '../robust-scale.ts';
 import { distanceToRing } from '../secondary/structure.ts';
 import type { Gap, Opening, PointCloud, Polygon, Room, SecondaryBoundary, Wall } from '../types.ts';
-import { findColumns } from './find-columns.ts';
 import { type FoundOpening, findOpenings, placeOpening } from './find-openings.ts';
 import { findRooms } from './find-rooms.ts';
 import type { StoreyHeights } from './find-storeys.ts';
+import { findStructures } from './find-structures.ts';
 import { type HeightColumns, hasPlane, heightColumns } from './height-columns.ts';
 import { localCeiling } from './local-ceiling.ts';
 import { type FacePair, pairFaces } from './pair-faces.ts';
@@ -96,7 +96,7 @@ export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: Storey
       holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
     ),
     outer,
-    secondary: findColumns(cloud, columns, ceiling, outlines),
+    secondary: findStructures(site, ceiling, outlines),
     unseen: byRoom.flatMap((gaps, i) => gaps.map((gap) => ({ ...gap, room: `Room ${i + 1}` }))),
   };
 }
