@@ -1,5 +1,5 @@
 import { combine } from '../geometry/areas.ts';
-import { pointInRing, signedArea } from '../geometry/rings.ts';
+import { boundsOf, pointInRing, signedArea } from '../geometry/rings.ts';
 import { distanceToRing } from '../secondary/structure.ts';
 import type { PointCloud, Polygon, Ring, SecondaryBoundary } from '../types.ts';
 import { hasBin } from './bin-masks.ts';
@@ -7,10 +7,12 @@ import { connectedColumns } from './connected-columns.ts';
 import { type HeightColumns, hasPlane, pointsOf, topShare } from './height-columns.ts';
 import type { LocalCeiling } from './local-ceiling.ts';
 import { type Rectangle, ringOf, type StructureShape, sizeOf, structureShape } from './structure-shape.ts';
-import { surroundingsOf } from './structure-surroundings.ts';
+import { seenAround, surroundingsOf } from './structure-surroundings.ts';
 
-/** A structure stands this far off the walls, m: nearer, it is a part of them. */
+/** A structure stands this far off the walls, m: nearer, it is a part of them … */
 const OFF_WALL = 0.12;
+/** … unless floor or ceiling was seen along so much of the way around it: then the wall there is none. */
+const ALL_AROUND = 0.85;
 /** It reaches above cupboards: so many of the bins just below the ceiling have points … */
 const TOP_SHARE = 0.5;
 /** … its columns together over so much of the whole height … */
@@ -28,8 +30,9 @@ const LONGEST_COLUMN = 1.25;
 const LARGEST_COLUMN = 1.5;
 /** … of which so many sides were seen: a wall or a row of cupboards shows two … */
 const SHAFT_SIDES = 3;
-/** … and those with more than this, m², are rooms. */
+/** … and those with more than this, m², or wider, m, are rooms, or walls. */
 const LARGEST = 12;
+const WIDEST = 4;
 /** Floor or ceiling is seen along so much of the way around a structure: it stands in a room … */
 const LEAST_AROUND = 0.5;
 /** … and at no more than this share of the places within it, where noise may carry its own points … */
@@ -63,8 +66,8 @@ export function findStructures(
   rooms: readonly Polygon[],
 ): SecondaryBoundary[] {
   const { cloud, columns } = site;
-  const found = freeGroups(columns, standingColumns(columns, ceiling), rooms).flatMap((group) => {
-    if (!isUpright(columns, group)) return [];
+  const found = freeGroups(columns, ceiling).flatMap((group) => {
+    if (group.length < FEWEST || !isUpright(columns, group)) return [];
     return candidateOf(site, rooms, pointsOf(cloud, columns, group)) ?? [];
   });
   return joinedWhereTheyMeet(site, rooms, found).map(({ outline, xy }) => ({
@@ -75,35 +78,28 @@ export function findStructures(
   }));
 }
 
-function standingColumns(columns: HeightColumns, ceiling: LocalCeiling): Uint8Array {
-  const { count, hits, bins, masks, centres } = columns;
-  const isStanding = new Uint8Array(count);
-  for (let c = 0; c < count; c++) {
-    if (hits[c] < 2) continue;
-    const top = topShare(columns, masks, c, ceiling.at(centres[2 * c], centres[2 * c + 1]));
-    isStanding[c] = top >= TOP_SHARE && hits[c] >= LEAST_HITS * bins ? 1 : 0;
+/**
+ * Groups of columns of the grid that hang together just below the ceiling, as far as they stand; walls, whose lintels hang on
+ * them, are too wide.
+ */
+function freeGroups(columns: HeightColumns, ceiling: LocalCeiling): number[][] {
+  const { centres, size, hits, bins, masks } = columns;
+  const open = new Set<number>();
+  for (let c = 0; c < columns.count; c++) {
+    const z = ceiling.at(centres[2 * c], centres[2 * c + 1]);
+    if (hits[c] >= 2 && topShare(columns, masks, c, z) >= TOP_SHARE) open.add(c);
   }
-  return isStanding;
-}
-
-/** Groups of columns within rooms that touch, or nearly, but none of which touches a wall. */
-function freeGroups(columns: HeightColumns, isStanding: Uint8Array, rooms: readonly Polygon[]): number[][] {
-  const { centres, size } = columns;
-  const placeOf = (c: number) => [centres[2 * c], centres[2 * c + 1]] as const;
-  const isInside = (c: number) => rooms.some(({ outer }) => pointInRing(...placeOf(c), outer) > 0);
-  const open = new Set([...isStanding.keys()].filter((c) => isStanding[c] === 1 && isInside(c)));
-  const isAtWall = (c: number) =>
-    rooms.some(({ outer }) => distanceToRing(...placeOf(c), outer) <= Math.max(OFF_WALL, size));
   const touch = Math.max(TOUCH, size);
   const reach = Math.ceil(touch / size);
   return [...open].flatMap((first) => {
     if (!open.delete(first)) return [];
     const group = connectedColumns(columns, first, reach, (c, from) => {
-      const [x, y] = placeOf(c);
-      const [fromX, fromY] = placeOf(from);
-      return Math.hypot(x - fromX, y - fromY) <= touch && open.delete(c);
+      const away = Math.hypot(centres[2 * c] - centres[2 * from], centres[2 * c + 1] - centres[2 * from + 1]);
+      return away <= touch && open.delete(c);
     });
-    return group.length < FEWEST || group.some(isAtWall) ? [] : [group];
+    const { minX, minY, maxX, maxY } = boundsOf(group.flatMap((c) => [centres[2 * c], centres[2 * c + 1]]));
+    if (Math.max(maxX - minX, maxY - minY) > WIDEST) return [];
+    return [group.filter((c) => hits[c] >= LEAST_HITS * bins)];
   });
 }
 
@@ -123,7 +119,9 @@ interface Candidate {
 function candidateOf(site: StructureSite, rooms: readonly Polygon[], xy: Float64Array): Candidate | null {
   const shape = structureShape(xy, site.noise);
   const outline = shape && wholeOutline(site, shape);
-  return outline && isOffWalls(outline, rooms) ? { outline, xy } : null;
+  if (outline === null) return null;
+  const isFree = isOffWalls(outline, rooms) || seenAround(site.columns, outline) >= ALL_AROUND;
+  return isFree ? { outline, xy } : null;
 }
 
 /** Structures that overlap are the sides of one. */
@@ -201,8 +199,9 @@ function isClosed(
 
 /** Whether the ceiling ends at an outline, all that is around it was seen, and nothing within. */
 function standsFree({ cloud, columns }: StructureSite, outline: Ring): boolean {
-  const { ceilingWithin, ceilingExpected, seenWithin, seenAround } = surroundingsOf(cloud, columns, outline);
-  if (seenAround < LEAST_AROUND || seenWithin > MOST_WITHIN) return false;
+  if (seenAround(columns, outline) < LEAST_AROUND) return false;
+  const { ceilingWithin, ceilingExpected, seenWithin } = surroundingsOf(cloud, columns, outline);
+  if (seenWithin > MOST_WITHIN) return false;
   return ceilingWithin <= MOST_CEILED * ceilingExpected;
 }
 

@@ -12,7 +12,7 @@ const STEP = 0.02;
 const PLACES = 24;
 const BESIDE = 0.15;
 
-/** What was seen above and below a structure, and beside it. */
+/** What was seen above and below a structure. */
 export interface Surroundings {
   /** Points of the ceiling within the outline. */
   readonly ceilingWithin: number;
@@ -20,8 +20,6 @@ export interface Surroundings {
   readonly ceilingExpected: number;
   /** Share of the middle of the outline over which, or under which, floor or ceiling was seen. */
   readonly seenWithin: number;
-  /** Share of the way around the outline along which floor or ceiling was seen. */
-  readonly seenAround: number;
 }
 
 /** Looks at floor and ceiling within and around an outline. O(points of the ceiling near it + its area). */
@@ -64,11 +62,11 @@ export function surroundingsOf(
     ceilingWithin: within,
     ceilingExpected: (around * areaWithin) / Math.max(1, areaAround),
     seenWithin: middle === 0 ? 0 : seen / middle,
-    seenAround: seenAround(columns, outline),
   };
 }
 
-function seenAround(columns: HeightColumns, outline: Ring): number {
+/** Share of the way around an outline along which floor or ceiling was seen. */
+export function seenAround(columns: HeightColumns, outline: Ring): number {
   const { minX, minY, maxX, maxY } = boundsOf(outline);
   const [cx, cy] = [(minX + maxX) / 2, (minY + maxY) / 2];
   let seen = 0;
