@@ -6,7 +6,14 @@ import { hasBin } from './bin-masks.ts';
 import { connectedColumns } from './connected-columns.ts';
 import { type HeightColumns, hasPlane, pointsOf, topShare } from './height-columns.ts';
 import type { LocalCeiling } from './local-ceiling.ts';
-import { type Rectangle, ringOf, type StructureShape, sizeOf, structureShape } from './structure-shape.ts';
+import {
+  type Rectangle,
+  ringOf,
+  type StructureShape,
+  sizeOf,
+  structureShape,
+  THINNEST,
+} from './structure-shape.ts';
 import { seenAround, surroundingsOf } from './structure-surroundings.ts';
 
 /** A structure stands this far off the walls, m: nearer, it is a part of them … */
@@ -23,8 +30,6 @@ const LEAST_HITS = 0.3;
 const FEWEST = 3;
 /** Columns of the grid no farther apart than this, m, are of one structure. */
 const TOUCH = 0.15;
-/** Narrower, m, it is a face or a pipe. */
-const THINNEST = 0.15;
 /** Longer ones, m, or with more area, m², are shafts and cores … */
 const LONGEST_COLUMN = 1.25;
 const LARGEST_COLUMN = 1.5;
@@ -120,7 +125,9 @@ function candidateOf(site: StructureSite, rooms: readonly Polygon[], xy: Float64
   const shape = structureShape(xy, site.noise);
   const outline = shape && wholeOutline(site, shape);
   if (outline === null) return null;
-  const isFree = isOffWalls(outline, rooms) || seenAround(site.columns, outline) >= ALL_AROUND;
+  // A face alone near a wall is a bay's side.
+  const isFace = shape?.rectangle && Math.min(...sizeOf(shape.rectangle)) < THINNEST;
+  const isFree = isOffWalls(outline, rooms) || (!isFace && seenAround(site.columns, outline) >= ALL_AROUND);
   return isFree ? { outline, xy } : null;
 }
 

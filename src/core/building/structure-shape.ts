@@ -4,10 +4,14 @@ import type { Ring } from '../types.ts';
 
 /** Points lie on a shape when they are this share of its size off it, root mean square, or so many deviations of their noise. */
 const LOOSENESS = 0.05;
-const NOISES = 1.5;
+const NOISES = 2;
 /** A circle's points see this share of it at least: less bends too little to tell its radius. */
 const LEAST_ARC = 0.3;
 const ARC_BINS = 36;
+/** A rectangle narrower than this, m, is a face or a pipe … */
+export const THINNEST = 0.15;
+/** … unless it is so many deviations of noise wide: then it is the bend of a circle. */
+const BEND_NOISES = 4;
 /** Vertices of a circle: none turns by more than 5°. */
 const CIRCLE_VERTICES = 72;
 /** Directions of a rectangle tried over a quarter turn, then around the best, radians. */
@@ -57,7 +61,9 @@ export function structureShape(xy: Float64Array, noise: number): StructureShape 
   const { rectangle, rms } = bestRectangle(points);
   const [a, b] = sizeOf(rectangle);
   const isLoose = rms > Math.max(LOOSENESS * Math.min(a, b), NOISES * noise);
-  if (circle && (isLoose || circle.rms <= rms)) return { outline: circle.outline, rectangle: null, seen: [] };
+  const isBent = Math.min(a, b) < THINNEST && Math.min(a, b) > BEND_NOISES * noise;
+  if (circle && (isLoose || isBent || circle.rms <= rms))
+    return { outline: circle.outline, rectangle: null, seen: [] };
   if (isLoose) return null;
   return { outline: ringOf(rectangle), rectangle, seen: seenSides(xy, rectangle, noise) };
 }

@@ -12,6 +12,8 @@ const STEP = 0.02;
 const PLACES = 24;
 const BESIDE = 0.15;
 
+type Place = 'within' | 'rim' | 'around' | 'beyond';
+
 /** What was seen above and below a structure. */
 export interface Surroundings {
   /** Points of the ceiling within the outline. */
@@ -22,47 +24,57 @@ export interface Surroundings {
   readonly seenWithin: number;
 }
 
-/** Looks at floor and ceiling within and around an outline. O(points of the ceiling near it + its area). */
-export function surroundingsOf(
-  { positions }: PointCloud,
-  columns: HeightColumns,
-  outline: Ring,
-): Surroundings {
-  const { overPoints, overStart, size } = columns;
-  const { minX, minY, maxX, maxY } = boundsOf(outline);
+/** Looks at what was seen within and around an outline. O(points near it + its area). */
+export function surroundingsOf(cloud: PointCloud, columns: HeightColumns, outline: Ring): Surroundings {
+  const areas: Record<Place, number> = { within: 0, rim: 0, around: 0, beyond: 0 };
   const visited = new Set<number>();
-  let [areaWithin, areaAround, within, around, seen, middle] = [0, 0, 0, 0, 0, 0];
-  const placeOf = (x: number, y: number): 'within' | 'around' | null => {
-    const away = distanceToRing(x, y, outline);
-    if (away < RIM) return null;
-    if (pointInRing(x, y, outline) > 0) return 'within';
-    return away <= AROUND ? 'around' : null;
-  };
-  for (let x = minX - AROUND; x <= maxX + AROUND; x += STEP) {
-    for (let y = minY - AROUND; y <= maxY + AROUND; y += STEP) {
-      const place = placeOf(x, y);
-      if (place === 'around') areaAround++;
-      if (place === 'within') areaWithin++;
-      // A column of the grid that reaches out of the outline has points of what is around.
-      if (place === 'within' && distanceToRing(x, y, outline) > size) {
-        middle++;
-        if (hasPlane(columns, x, y)) seen++;
-      }
-      const c = columnAt(columns, x, y);
-      if (c < 0 || visited.has(c)) continue;
-      visited.add(c);
-      for (let p = overStart[c]; p < overStart[c + 1]; p++) {
-        const at = placeOf(positions[3 * overPoints[p]], positions[3 * overPoints[p] + 1]);
-        if (at === 'within') within++;
-        if (at === 'around') around++;
-      }
-    }
-  }
+  let [seen, middle] = [0, 0];
+  forPlacesNear(outline, (x, y) => {
+    const place = placeOf(outline, x, y);
+    areas[place]++;
+    const c = columnAt(columns, x, y);
+    if (c >= 0) visited.add(c);
+    // A column of the grid that reaches out of the outline has points of what is around.
+    if (place !== 'within' || distanceToRing(x, y, outline) <= columns.size) return;
+    middle++;
+    if (hasPlane(columns, x, y)) seen++;
+  });
+  const { overPoints, overStart } = columns;
+  const ceiling = countPlaces(
+    cloud,
+    outline,
+    [...visited].map((c) => overPoints.subarray(overStart[c], overStart[c + 1])),
+  );
   return {
-    ceilingWithin: within,
-    ceilingExpected: (around * areaWithin) / Math.max(1, areaAround),
+    ceilingWithin: ceiling.within,
+    ceilingExpected: (ceiling.around * areas.within) / Math.max(1, areas.around),
     seenWithin: middle === 0 ? 0 : seen / middle,
   };
+}
+
+function placeOf(outline: Ring, x: number, y: number): Place {
+  const away = distanceToRing(x, y, outline);
+  if (away < RIM) return 'rim';
+  if (pointInRing(x, y, outline) > 0) return 'within';
+  return away <= AROUND ? 'around' : 'beyond';
+}
+
+function forPlacesNear(outline: Ring, visit: (x: number, y: number) => void): void {
+  const { minX, minY, maxX, maxY } = boundsOf(outline);
+  for (let x = minX - AROUND; x <= maxX + AROUND; x += STEP)
+    for (let y = minY - AROUND; y <= maxY + AROUND; y += STEP) visit(x, y);
+}
+
+/** How many points are where; lists of their indices. */
+function countPlaces(
+  { positions }: PointCloud,
+  outline: Ring,
+  lists: readonly Uint32Array[],
+): Record<Place, number> {
+  const counts: Record<Place, number> = { within: 0, rim: 0, around: 0, beyond: 0 };
+  for (const points of lists)
+    for (const i of points) counts[placeOf(outline, positions[3 * i], positions[3 * i + 1])]++;
+  return counts;
 }
 
 /** Share of the way around an outline along which floor or ceiling was seen. */
