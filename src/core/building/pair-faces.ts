@@ -24,7 +24,7 @@ export function pairFaces(edges: readonly RoomEdge[]): FacePair[] {
   const pairs: FacePair[] = [];
   edges.forEach((face, i) => {
     const backs = edges.flatMap((back, j) => (j === i ? [] : (facing(face, back) ?? [])));
-    backs.sort((a, b) => a.thickness - b.thickness);
+    backs.sort((a, b) => a.thickness - b.thickness || a.from - b.from);
     const free: [number, number][] = [[0, face.length]];
     for (const pair of backs) {
       for (const [from, to] of takeFrom(free, pair.from, pair.to)) {

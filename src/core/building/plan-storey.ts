@@ -1,17 +1,15 @@
-import { areaOf, combine, grow } from '../geometry/areas.ts';
 import { centroid, perimeter } from '../geometry/rings.ts';
-import { isSimpleRing } from '../geometry/simplicity.ts';
 import { medianOf } from '../robust-scale.ts';
-import { distanceToRing } from '../secondary/structure.ts';
 import type { Gap, Opening, PointCloud, Polygon, Room, SecondaryBoundary, Wall } from '../types.ts';
-import { findColumns } from './find-columns.ts';
 import { type FoundOpening, findOpenings, placeOpening } from './find-openings.ts';
 import { findRooms } from './find-rooms.ts';
 import type { StoreyHeights } from './find-storeys.ts';
+import { findStructures } from './find-structures.ts';
 import { type HeightColumns, hasPlane, heightColumns } from './height-columns.ts';
+import { innerWalls } from './inner-walls.ts';
 import { localCeiling } from './local-ceiling.ts';
 import { type FacePair, pairFaces } from './pair-faces.ts';
-import { primaryOutline, withoutDebris } from './primary-outline.ts';
+import { primaryOutline } from './primary-outline.ts';
 import { edgesOf, type RoomEdge } from './room-edges.ts';
 import { roomHeights } from './room-heights.ts';
 import { unseenStretches } from './unseen-stretches.ts';
@@ -26,12 +24,6 @@ const FACE_BAND = 0.03;
 const FACE_DEVIATIONS = 3;
 /** Least noise of a face, m, where none is known. */
 const USUAL_NOISE = 0.01;
-/** A wall's strip reaches so far into the rooms beside it, m. */
-const STRIP_MARGIN = 0.005;
-/** Half the width of what is no wall but rounding, m. */
-const SLIVER = 0.001;
-/** Leftovers of walls smaller than this are debris, m². */
-const DEBRIS = 1e-4;
 /** Rows of rooms are read from above: rooms whose middles differ by less than this in height are in one, m. */
 const READING_ROW = 2;
 
@@ -96,7 +88,7 @@ export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: Storey
       holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
     ),
     outer,
-    secondary: findColumns(cloud, columns, ceiling, outlines),
+    secondary: findStructures(site, ceiling, outlines),
     unseen: byRoom.flatMap((gaps, i) => gaps.map((gap) => ({ ...gap, room: `Room ${i + 1}` }))),
   };
 }
@@ -134,80 +126,6 @@ function stretchAt({ ax, ay, ux, uy }: RoomEdge, from: number, to: number, depth
 
 function throughAt(columns: HeightColumns, { x, y, ux, uy }: WallStretch, deep: number) {
   return (along: number) => hasPlane(columns, x + along * ux + deep * uy, y + along * uy - deep * ux);
-}
-
-/** The walls between rooms: the area of the outline that is no room, cut into one piece a pair of faces. */
-function innerWalls(
-  rooms: readonly Polygon[],
-  primary: readonly Polygon[],
-  pairs: readonly FacePair[],
-  unseen: readonly (readonly Gap[])[],
-): Wall[] {
-  const solid = combine('difference', primary, rooms);
-  const pieces = pairs.map((pair) => combine('intersection', solid, [{ outer: pairRing(pair), holes: [] }]));
-  // What is left are the crossings of walls, and slivers along them, which go.
-  const left = combine('difference', solid, pieces.flat());
-  const rest = combine('intersection', left, grow(grow(left, -SLIVER), SLIVER));
-  for (const leftover of rest) {
-    if (areaOf([leftover]) < DEBRIS) continue;
-    const near = nearestPiece(leftover, pieces);
-    const whole = near < 0 ? null : plainUnion([...pieces[near], leftover]);
-    if (whole !== null) pieces[near] = [whole];
-    else if (near >= 0) pieces[near] = [...pieces[near], leftover];
-  }
-  return pieces.flatMap((piece, i) =>
-    piece.map((outline): Wall => {
-      const { face, back, thickness } = pairs[i];
-      const hidden = [face, back].every(({ owner }) => unseen[owner].some((gap) => touches(gap, pairs[i])));
-      return { outline, thickness, confidence: hidden ? 0.5 : 1 };
-    }),
-  );
-}
-
-/** The union of areas where it is one simple ring; null where it is not. */
-function plainUnion(parts: readonly Polygon[]): Polygon | null {
-  const [whole, ...others] = combine('union', parts);
-  if (others.length > 0 || whole.holes.length > 0) return null;
-  const outer = withoutDebris(whole.outer);
-  const isSame = Math.abs(areaOf([whole]) - areaOf([{ outer, holes: [] }])) < DEBRIS;
-  return isSame && isSimpleRing(outer) ? { outer, holes: [] } : null;
-}
-
-function touches({ from, to }: Gap, { face, thickness }: FacePair): boolean {
-  return [from, to].every(([x, y]) => {
-    const aside = (x - face.ax) * face.uy - (y - face.ay) * face.ux;
-    return aside > -0.01 && aside < thickness + 0.01;
-  });
-}
-
-function nearestPiece(leftover: Polygon, pieces: readonly (readonly Polygon[])[]): number {
-  const [x, y] = centroid(leftover.outer);
-  let [best, least] = [-1, Infinity];
-  pieces.forEach((piece, i) => {
-    for (const { outer } of piece) {
-      const away = distanceToRing(x, y, outer);
-      if (away < least) [best, least] = [i, away];
-    }
-  });
-  return best;
-}
-
-/** The strip of a wall, a little wider than it is: what is cut out of the area between rooms then leaves no slivers. */
-function pairRing({ face, back, from, to }: FacePair): Float64Array {
-  const onFace = (along: number, out: number) => [
-    face.ax + along * face.ux + out * face.uy,
-    face.ay + along * face.uy - out * face.ux,
-  ];
-  const onBack = (along: number) => {
-    const [x, y] = onFace(along, 0);
-    const t = (x - back.ax) * back.ux + (y - back.ay) * back.uy;
-    // Away from the room behind is towards the face.
-    return [back.ax + t * back.ux - STRIP_MARGIN * back.uy, back.ay + t * back.uy + STRIP_MARGIN * back.ux];
-  };
-  // The room is on the face's left, so the wall is on its right.
-  return Float64Array.from(
-    [onFace(from, -STRIP_MARGIN), onBack(from), onBack(to), onFace(to, -STRIP_MARGIN)].flat(),
-  );
 }
 
 function unseenOf(site: Site, edge: RoomEdge, looks: readonly LookedInto[]): Gap[] {

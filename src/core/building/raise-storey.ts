@@ -42,14 +42,9 @@ function outerShell(
   const all = Float64Array.from(reveals.flatMap((own) => [...own]));
   const usual = all.length > 0 ? medianOf(all) : usualOuter;
   const thicknesses = reveals.map((own) => (own.length > 0 ? medianOf(own) : usual));
-  let first = 0;
-  const walls = primary.flatMap((polygon) => {
-    const begin = first;
-    for (const ring of [polygon.outer, ...polygon.holes]) first += ring.length / 2;
-    return outerWalls(polygon, thicknesses.slice(begin, first)).map(({ edge, ...wall }): Wall => {
-      const isKnown = reveals[begin + edge].length > 0;
-      return { ...wall, confidence: 1, ...(!isKnown && { isThicknessInferred: true }) };
-    });
+  const walls = outerWalls(primary, thicknesses).map(({ edge, ...wall }): Wall => {
+    const isKnown = reveals[edge].length > 0;
+    return { ...wall, confidence: 1, ...(!isKnown && { isThicknessInferred: true }) };
   });
   const openings = outer.flatMap(({ stretch, found }, i) =>
     found.map((hole) => placeOpening(hole, stretch, thicknesses[i] / 2)),

@@ -1,8 +1,10 @@
-import { perimeter, signedArea } from '../geometry/rings.ts';
+import { areaOf, combine } from '../geometry/areas.ts';
+import { perimeter, polygonArea, signedArea } from '../geometry/rings.ts';
 import type { Polygon, Ring } from '../types.ts';
 import { rootOf, separateSets, unite } from '../union-find.ts';
 import type { Arrangement } from './arrangement.ts';
 import { cleanRing } from './clean-ring.ts';
+import { isValid, validParts } from './valid-parts.ts';
 
 /** Smallest room, m²: a lavatory or a store. */
 const SMALLEST_ROOM = 0.8;
@@ -10,6 +12,8 @@ const SMALLEST_ROOM = 0.8;
 const NARROWEST_ROOM = 0.6;
 /** Parts of a room that a wall stands between to this share are two rooms. */
 const PARTING = 0.5;
+/** Rooms that share less than this do so by rounding, m². */
+const LEAST_OVERLAP = 1e-4;
 
 /** A room in the arrangement. */
 export interface RoomFaces {
@@ -29,15 +33,37 @@ export function traceRooms(arrangement: Arrangement, isRoom: Uint8Array, support
     if (list) list.push(f);
     else members.set(g, [f]);
   });
-  return [...members].flatMap(([g, faces]) => {
+  const rooms = [...members].flatMap(([g, faces]) => {
     const rings = outlineOf(arrangement, group, g, faces);
     const outer = rings
       .filter((ring) => signedArea(ring) > 0)
       .sort((a, b) => signedArea(b) - signedArea(a))[0];
     if (!outer || signedArea(outer) < SMALLEST_ROOM) return [];
     if ((2 * signedArea(outer)) / perimeter(outer) < NARROWEST_ROOM / 1.1) return [];
-    const outline = { outer, holes: rings.filter((ring) => signedArea(ring) < 0) };
-    return [{ outline, faces, areaM2: rings.reduce((sum, ring) => sum + signedArea(ring), 0) }];
+    return [{ faces, outline: { outer, holes: rings.filter((ring) => signedArea(ring) < 0) } }];
+  });
+  const outlines = keptApart(rooms.map(({ outline }) => outline));
+  return rooms.flatMap(({ faces }, i) => {
+    const outline = outlines[i];
+    return outline ? [{ outline, faces, areaM2: polygonArea(outline) }] : [];
+  });
+}
+
+/**
+ * Outlines that are valid and do not overlap: closing a seam may move a corner over what is around it. Each keeps the
+ * largest part that those before it leave; null where none is left.
+ */
+function keptApart(outlines: readonly Polygon[]): (Polygon | null)[] {
+  const kept: Polygon[] = [];
+  return outlines.map((outline) => {
+    const clashing = kept.filter(
+      (other) => areaOf(combine('intersection', [other], [outline])) > LEAST_OVERLAP,
+    );
+    const isFine = clashing.length === 0 && isValid(outline);
+    const parts = isFine ? [outline] : validParts(combine('difference', [outline], clashing));
+    const largest = parts.sort((a, b) => polygonArea(b) - polygonArea(a))[0] ?? null;
+    if (largest !== null) kept.push(largest);
+    return largest;
   });
 }
 
