@@ -26,7 +26,7 @@ const LARGEST_COLUMN = 1.5;
 const LARGEST = 12;
 
 /** Over more of a structure than this the ceiling cannot be seen, looked at so far within its rim, m. */
-const MOST_CEILED = 0.2;
+export const MOST_CEILED = 0.2;
 const RIM = 0.05;
 
 /** Structures that stand from floor to ceiling within rooms: columns and shafts. */
@@ -91,7 +91,7 @@ function structureOf(
 }
 
 /** Share of what is under an outline, off its rim, over which the ceiling was seen: it goes on over cupboards. */
-function ceiledShare({ table, size, overhead }: HeightColumns, outline: Ring): number {
+export function ceiledShare({ table, size, overhead }: HeightColumns, outline: Ring): number {
   const { minX, minY, maxX, maxY } = boundsOf(outline);
   let [ceiled, count] = [0, 0];
   for (let iy = Math.floor(minY / size); iy <= Math.floor(maxY / size); iy++) {
