@@ -6,7 +6,7 @@ import { MARGIN, STRIP } from './sheet-page.ts';
 import { shorten } from './text-width.ts';
 
 /** A sample in the legend. */
-export type LegendEntry = 'wall' | 'inferred' | 'door' | keyof typeof HATCHES;
+export type LegendEntry = 'wall' | 'inferred' | 'door' | 'furniture' | keyof typeof HATCHES;
 
 export interface TitleFacts {
   readonly title: string;
@@ -34,6 +34,7 @@ const LEGEND: Record<LegendEntry, string> = {
   wall: 'Wall',
   inferred: 'Inferred: no points',
   door: 'Door: hinge side unknown',
+  furniture: 'Furniture',
   subtract: 'Structure, subtracted',
   add: 'Structure, added',
   independent: 'Structure, independent',
@@ -146,14 +147,14 @@ function drawLegend(entries: readonly LegendEntry[], left: number, top: number):
 }
 
 function drawSwatch(entry: LegendEntry, box: Float64Array): SheetItem[] {
-  const outline = (style: 'scaleBar' | 'inferred' | 'swatch'): SheetItem => ({
+  const outline = (style: 'scaleBar' | 'inferred' | 'swatch' | 'furniture'): SheetItem => ({
     kind: 'path',
     style,
     lines: [box],
     isClosed: true,
   });
   if (entry === 'wall') return [outline('scaleBar')];
-  if (entry === 'inferred') return [outline('inferred')];
+  if (entry === 'inferred' || entry === 'furniture') return [outline(entry)];
   if (entry === 'door') return drawDoor(box);
   const lines = HATCHES[entry].flatMap(({ angle, spacing }) => hatch([box], angle, spacing));
   return [{ kind: 'path', style: 'hatch', lines, isClosed: false }, outline('swatch')];
