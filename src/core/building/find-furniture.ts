@@ -1,14 +1,17 @@
-import { areaOf, combine } from '../geometry/areas.ts';
-import { pointInRing } from '../geometry/rings.ts';
+import { areaOf, combine, grow } from '../geometry/areas.ts';
+import { ringsOf } from '../geometry/rings.ts';
 import { squaredDistanceToSegment } from '../geometry/segments.ts';
-import type { Furniture, Ring } from '../types.ts';
+import { conflictingEdges, isSimpleRing } from '../geometry/simplicity.ts';
+import type { Furniture, Polygon } from '../types.ts';
 import { connectedColumns } from './connected-columns.ts';
 import { ceiledShare, MOST_CEILED } from './find-columns.ts';
+import { heightWithin, seenShare } from './furniture-evidence.ts';
 import { furnitureOutlines } from './furniture-outline.ts';
 import { columnAt } from './height-columns.ts';
 import { edgesOf, type RoomEdge } from './room-edges.ts';
 import { type FurnishedRooms, type StandingPoints, standingPoints } from './standing-points.ts';
 import { wallColumns } from './wall-columns.ts';
+import { EYE_HEIGHT, isUnseen, waysToWalls } from './ways-to-walls.ts';
 
 /** Footprints smaller than this are lamps' feet, cables, bins and what a scanner saw of somebody passing, m². */
 const SMALLEST = 0.05;
@@ -17,24 +20,17 @@ const TOUCH = 0.1;
 /** Door leaves and pictures are not as thick as this, m, and curtains with so many deviations of their points. */
 const THIN = 0.08;
 const THIN_DEVIATIONS = 4;
-/** Nobody carries a scanner so low that it sees the top of what is higher than this, m … */
-const EYE_HEIGHT = 1.3;
-/** … which reaches back to the wall if that is no farther than the deepest cupboard, m. */
-const DEEPEST = 0.8;
-/** Lower things stand before the wall if it is no farther than this, m, skirting and the wall's own points left out. */
-const BEFORE_WALL = 0.15;
 /** Of less than one side in four somebody must have seen something, or it is a guess. */
 const LEAST_SEEN = 0.25;
+/** Rings that touch where a room's corner cuts in are parted by this, m. */
+const PARTING = 0.002;
 /** Cupboards up to the ceiling are deeper than this, m; pieces of wall that no room ends at are hardly thicker. */
 const SHALLOWEST = 0.25;
-/** Share of a thing's columns that are no higher than its top is said to be: a lamp on a table is not the table. */
-const TOP_RANK = 0.9;
-
-type Place = readonly [x: number, y: number];
-
 interface Site extends FurnishedRooms {
   /** Edges of each room's outline. */
   readonly edges: readonly (readonly RoomEdge[])[];
+  /** Each room's area without the structures in it. */
+  readonly free: readonly (readonly Polygon[])[];
 }
 
 /**
@@ -44,7 +40,13 @@ interface Site extends FurnishedRooms {
  * is furniture only where the ceiling goes on over it. O(points + columns · vertices of a room).
  */
 export function findFurniture(rooms: FurnishedRooms): Furniture[] {
-  const site = { ...rooms, edges: rooms.rooms.map(({ outline }) => edgesOf([outline])) };
+  const outlines = rooms.rooms.map(({ outline }) => outline);
+  const structures = rooms.secondary.map(({ outline }) => outline);
+  const site: Site = {
+    ...rooms,
+    edges: outlines.map((outline) => edgesOf([outline])),
+    free: outlines.map((outline) => combine('difference', [outline], structures)),
+  };
   const standing = standingPoints(site);
   const isOpen = Uint8Array.from(standing.room, (room) => (room >= 0 ? 1 : 0));
   for (const c of structureColumns(site, standing)) isOpen[c] = 0;
@@ -60,7 +62,7 @@ function structureColumns(site: Site, standing: StandingPoints): number[] {
   return groupsOf(standing, isTall).flatMap((group) => {
     if (isMostly(group, (c) => isShort[c] === 1)) return [];
     const outlines = outlinesOf(site, standing, group, SHALLOWEST);
-    return outlines.some((outline) => ceiledShare(columns, outline) > MOST_CEILED) ? [] : group;
+    return outlines.some(({ outer }) => ceiledShare(columns, outer) > MOST_CEILED) ? [] : group;
   });
 }
 
@@ -89,17 +91,24 @@ function groupsOf({ columns, room }: StandingPoints, isMarked: Uint8Array): numb
 function furnitureOf(site: Site, standing: StandingPoints, group: readonly number[]): Furniture[] {
   const { size } = standing.columns;
   if (group.length * size * size < SMALLEST / 2) return [];
-  const room = site.rooms[standing.room[group[0]]];
-  const structures = site.secondary.map(({ outline }) => outline);
-  const free = combine('difference', [room.outline], structures);
-  return outlinesOf(site, standing, group, THIN + THIN_DEVIATIONS * site.noise).flatMap((outline) =>
-    combine('intersection', [{ outer: outline, holes: [] }], free).flatMap((piece): Furniture[] => {
-      const { outer } = piece;
-      const [height, confidence] = [heightWithin(standing, group, outer), seenShare(standing, outer)];
-      const isFound = areaOf([piece]) >= SMALLEST && confidence >= LEAST_SEEN && !Number.isNaN(height);
-      return isFound ? [{ outline: piece, height, confidence, room: room.name }] : [];
-    }),
+  const owner = standing.room[group[0]];
+  const outlines = outlinesOf(site, standing, group, THIN + THIN_DEVIATIONS * site.noise);
+  const pieces = outlines.flatMap((outline) => combine('intersection', [outline], site.free[owner]));
+  const sound = pieces.flatMap((piece) =>
+    isSound(piece) ? [piece] : grow([piece], -PARTING).filter(isSound),
   );
+  return sound.flatMap((outline): Furniture[] => {
+    const height = heightWithin(standing, group, outline.outer);
+    const confidence = seenShare(standing, outline.outer);
+    const isFound = areaOf([outline]) >= SMALLEST && confidence >= LEAST_SEEN && !Number.isNaN(height);
+    return isFound ? [{ outline, height, confidence, room: site.rooms[owner].name }] : [];
+  });
+}
+
+/** Whether every ring is simple and touches no other. */
+function isSound(polygon: Polygon): boolean {
+  const rings = ringsOf([polygon]);
+  return rings.every(isSimpleRing) && conflictingEdges(rings).length === 0;
 }
 
 function outlinesOf(
@@ -107,68 +116,19 @@ function outlinesOf(
   standing: StandingPoints,
   group: readonly number[],
   thinnest: number,
-): Ring[] {
+): Polygon[] {
   const { xy, start, columns, room } = standing;
-  const seen = Float64Array.from(group.flatMap((c) => [...xy.subarray(2 * start[c], 2 * start[c + 1])]));
-  const known = Float64Array.from(waysToWalls(site, standing, new Set(group)));
+  const seen = new Float64Array(2 * group.reduce((sum, c) => sum + start[c + 1] - start[c], 0));
+  let filled = 0;
+  for (const c of group) {
+    seen.set(xy.subarray(2 * start[c], 2 * start[c + 1]), filled);
+    filled += 2 * (start[c + 1] - start[c]);
+  }
+  const known = Float64Array.from(waysToWalls(site.edges[room[group[0]]], standing, new Set(group)));
   const wall = wallDirection(site.edges[room[group[0]]], seen);
   const isTall = isMostly(group, (c) => standing.top[c] > EYE_HEIGHT);
   const isHidden = (x: number, y: number) => isTall && isUnseen(standing, columnAt(columns, x, y));
   return furnitureOutlines({ seen, known, wall, isHidden }, columns.size, thinnest);
-}
-
-/** Places between a group of columns and the walls it stands before, x, y each; none where most of the floor there was seen. */
-function waysToWalls(site: Site, standing: StandingPoints, group: ReadonlySet<number>): number[] {
-  const { columns, room, top } = standing;
-  const { size, table } = columns;
-  const ways: number[] = [];
-  let [open, closed] = [0, 0];
-  for (const c of group) {
-    const [ix, iy] = table.coordinatesOf(c);
-    const [x, y] = [(ix + 0.5) * size, (iy + 0.5) * size];
-    const foot = footOf(site.edges[room[c]], x, y);
-    if (foot.away > (top[c] > EYE_HEIGHT ? DEEPEST : BEFORE_WALL)) continue;
-    const way = wayAcross(standing, group, [x, y], foot.place);
-    if (way === null) open++;
-    else closed++;
-    ways.push(...(way ?? []));
-  }
-  return closed > open ? ways : [];
-}
-
-/** The place on the nearest wall that is square to it from a place in the room; infinitely far where there is none. */
-function footOf(edges: readonly RoomEdge[], x: number, y: number): { place: Place; away: number } {
-  let best: { place: Place; away: number } = { place: [x, y], away: Infinity };
-  for (const { ax, ay, ux, uy, length } of edges) {
-    const [along, away] = [(x - ax) * ux + (y - ay) * uy, (y - ay) * ux - (x - ax) * uy];
-    if (along < 0 || along > length || away < 0 || away >= best.away) continue;
-    best = { place: [ax + along * ux, ay + along * uy], away };
-  }
-  return best;
-}
-
-/** Null where the floor was seen on the way, or something else stands there. */
-function wayAcross(
-  standing: StandingPoints,
-  group: ReadonlySet<number>,
-  from: Place,
-  to: Place,
-): number[] | null {
-  const steps = Math.max(1, Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / standing.columns.size));
-  const way: number[] = [];
-  for (let k = 1; k <= steps; k++) {
-    const [x, y] = [from[0] + (k / steps) * (to[0] - from[0]), from[1] + (k / steps) * (to[1] - from[1])];
-    const at = columnAt(standing.columns, x, y);
-    // The column at the wall shows the floor of the gap before it.
-    if (!group.has(at) && !isUnseen(standing, at) && k < steps - 1) return null;
-    way.push(x, y);
-  }
-  return way;
-}
-
-/** Whether neither the floor was seen in a column nor what stands on it. */
-function isUnseen({ columns, room }: StandingPoints, c: number): boolean {
-  return c < 0 || (room[c] < 0 && (columns.planes[c] & 1) === 0);
 }
 
 /** Along the wall nearest to the middle of points. */
@@ -179,49 +139,4 @@ function wallDirection(edges: readonly RoomEdge[], xy: Float64Array): readonly [
   const away = ({ ax, ay, bx, by }: RoomEdge) => squaredDistanceToSegment(...middle, ax, ay, bx, by);
   const { ux, uy } = edges.reduce((best, edge) => (away(edge) < away(best) ? edge : best));
   return [ux, uy];
-}
-
-/** Height of the top of the columns within an outline, m; NaN where none is. */
-function heightWithin({ columns, top }: StandingPoints, group: readonly number[], outline: Ring): number {
-  const { table, size } = columns;
-  const tops = group.filter((c) => {
-    const [ix, iy] = table.coordinatesOf(c);
-    return pointInRing((ix + 0.5) * size, (iy + 0.5) * size, outline) > 0;
-  });
-  const sorted = Float64Array.from(tops, (c) => top[c]).sort();
-  return sorted[Math.floor(TOP_RANK * (sorted.length - 1))] ?? Number.NaN;
-}
-
-/** Share of an outline along which something was seen to stand, within a column's width. */
-function seenShare({ columns, room }: StandingPoints, outline: Ring): number {
-  const { table, size } = columns;
-  let [seen, count] = [0, 0];
-  for (let i = 0; i < outline.length; i += 2) {
-    const j = (i + 2) % outline.length;
-    const [dx, dy] = [outline[j] - outline[i], outline[j + 1] - outline[i + 1]];
-    const steps = Math.ceil(Math.hypot(dx, dy) / size);
-    for (let k = 0; k < steps; k++) {
-      const [ix, iy] = [outline[i] + (k / steps) * dx, outline[i + 1] + (k / steps) * dy].map((at) =>
-        Math.floor(at / size),
-      );
-      count++;
-      if (isNearStanding(table, room, ix, iy)) seen++;
-    }
-  }
-  return seen / count;
-}
-
-function isNearStanding(
-  table: StandingPoints['columns']['table'],
-  room: Int32Array,
-  ix: number,
-  iy: number,
-): boolean {
-  for (let dy = -1; dy <= 1; dy++) {
-    for (let dx = -1; dx <= 1; dx++) {
-      const c = table.find(ix + dx, iy + dy, 0);
-      if (c >= 0 && room[c] >= 0) return true;
-    }
-  }
-  return false;
 }

@@ -26,7 +26,10 @@ type Direction = readonly [ux: number, uy: number];
  * @param known places that are in the box for sure, likewise
  */
 export function boxAround(seen: Float64Array, known: Float64Array, wall: Direction): Box {
-  const hull = convexHull(Float64Array.of(...seen, ...known));
+  const all = new Float64Array(seen.length + known.length);
+  all.set(seen);
+  all.set(known, seen.length);
+  const hull = convexHull(all);
   const along = extentOf(hull, wall);
   let best = along;
   for (let i = 0; i < hull.length; i += 2) {

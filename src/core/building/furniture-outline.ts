@@ -1,12 +1,15 @@
 import { areaOf, combine, grow } from '../geometry/areas.ts';
-import { simplifyRing } from '../regularise/simplify-ring.ts';
-import type { Polygon, Ring } from '../types.ts';
+import { signedArea } from '../geometry/rings.ts';
+import { simplifyRings } from '../regularise/simplify-ring.ts';
+import type { Polygon } from '../types.ts';
 import { areaOfBox, type Box, boxAround, cornersOf } from './furniture-box.ts';
 
 /** A thing that fills so much of its box is one: most are made of boards. A round table fills 0.79 of its. */
 const BOX_SHARE = 0.82;
 /** Half the width of gaps that close, m: nothing is put a hand's breadth from another; rims are straightened as much. */
 const ROUGH = 0.06;
+/** Floor within a ring of tables is floor where somebody can stand on it, m²; smaller holes are sparse points. */
+const STANDING_PLACE = 0.25;
 
 /** What one group of columns shows, m. */
 export interface GroupPoints {
@@ -25,23 +28,28 @@ export interface GroupPoints {
  *
  * @param size of a cell, m: hardly more than points are apart
  * @param thinnest what is nowhere as thick as this, m, is left out
- * @returns counter-clockwise rings. O(n log n + cells of the box).
+ * @returns polygons apart from each other. O(n log n + cells of the box).
  */
-export function furnitureOutlines(points: GroupPoints, size: number, thinnest: number): Ring[] {
+export function furnitureOutlines(points: GroupPoints, size: number, thinnest: number): Polygon[] {
   const { seen, known, wall } = points;
   const box = boxAround(seen, known, wall);
   const rough = Math.max(ROUGH, size);
   const closed = grow(grow(filledCells(points, box, size), rough), -rough);
-  const filled = closed.map(({ outer }): Polygon => ({ outer, holes: [] }));
-  const corners = cornersOf(box);
-  const inBox = areaOf(combine('intersection', filled, [{ outer: corners, holes: [] }]));
+  const filled = closed.map(({ outer, holes }) => ({
+    outer,
+    holes: holes.filter((hole) => -signedArea(hole) >= STANDING_PLACE),
+  }));
+  const whole: Polygon = { outer: cornersOf(box), holes: [] };
+  const inBox = areaOf(combine('intersection', filled, [whole]));
   if (inBox >= BOX_SHARE * areaOfBox(box)) {
-    return Math.min(box.maxU - box.minU, box.maxV - box.minV) < thinnest ? [] : [corners];
+    return Math.min(box.maxU - box.minU, box.maxV - box.minV) < thinnest ? [] : [whole];
   }
   const thick = grow(grow(filled, -thinnest / 2), thinnest / 2);
-  return thick.map(({ outer }) =>
-    simplifyRing(outer, { epsilon: rough, areaEpsilon: 0, passes: ['douglas-peucker'] }),
-  );
+  return thick.map(({ outer, holes }) => {
+    const tolerances = { epsilon: rough, areaEpsilon: 0 };
+    const [rim, ...inner] = simplifyRings([outer, ...holes], 'douglas-peucker', tolerances).rings;
+    return { outer: rim, holes: inner };
+  });
 }
 
 /** The cells with points, row by row in a grid along a box: rectangles that touch. */

@@ -67,6 +67,18 @@ describe('what stands in a room', () => {
     expect(Math.abs(areaOf([found[0].outline]) - 2.16)).toBeLessThan(0.15);
   });
 
+  it('leaves the floor within a ring of tables', () => {
+    const { found } = new FurnishedRoom()
+      .level(0.74, [1, 1, 4, 1.6])
+      .level(0.74, [1, 2.6, 4, 3.2])
+      .level(0.74, [1, 1.6, 1.6, 2.6])
+      .level(0.74, [3.4, 1.6, 4, 2.6])
+      .furniture();
+    expect(found).toHaveLength(1);
+    expect(found[0].outline.holes).toHaveLength(1);
+    expect(Math.abs(areaOf([found[0].outline]) - 4.8)).toBeLessThan(0.2);
+  });
+
   it('stands askew where it does', () => {
     const { found } = new FurnishedRoom().table([1.5, 1.2, 3.1, 2], 0.74).furniture(0.3);
     expect(found).toHaveLength(1);
