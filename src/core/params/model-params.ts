@@ -14,7 +14,7 @@ export const MODEL_PARAMS = {
     default: false,
     stage: 'rooms',
     label: 'Furniture',
-    doc: 'Draw the footprints of what stands in the rooms: tables, beds, cupboards; on a layer of its own, and never in the model.',
+    doc: 'In plans of rooms, draw the footprints of what stands in them: tables, beds, cupboards; on a layer of their own, and never in the model.',
     source: 'ours',
   }),
   wallThickness: number({
