@@ -218,6 +218,17 @@ export interface Opening {
   readonly confidence: number;
 }
 
+/** A thing that stands in a room and is no part of the building: a table, a bed, a cupboard. */
+export interface Furniture {
+  readonly outline: Polygon;
+  /** Of its top above the floor, m. */
+  readonly height: number;
+  /** Share of its outline that points show; the back of what stands before a wall is not seen. */
+  readonly confidence: number;
+  /** Name of the room it stands in. */
+  readonly room: string;
+}
+
 /** One floor of a building. Heights in metres; plan frame. */
 export interface Storey {
   readonly index: number;
@@ -231,6 +242,8 @@ export interface Storey {
   readonly openings: readonly Opening[];
   /** Bridged gaps and hidden walls: stretches of the outlines no point supports. */
   readonly gaps: readonly Gap[];
+  /** Absent unless the parameter `furniture` asks for it. */
+  readonly furniture?: readonly Furniture[];
 }
 
 /** The plan of a whole building, lowest storey first. Every writer takes this. */

@@ -36,6 +36,8 @@ export interface Report {
     readonly areaM2: number;
   }[];
   readonly rooms: readonly { readonly name: string; readonly areaM2: number; readonly heightM: number }[];
+  /** Things that stand in the rooms; absent unless they were asked for. */
+  readonly furniture?: number;
   readonly mesh: { readonly vertices: number; readonly triangles: number; readonly watertight: boolean };
   readonly stages: readonly { readonly name: string; readonly ms: number }[];
   readonly totalMs: number;
@@ -89,6 +91,9 @@ export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: nu
         heightM: round(room.height),
       })),
     ),
+    ...(plan.storeys.some(({ furniture }) => furniture) && {
+      furniture: plan.storeys.reduce((sum, { furniture = [] }) => sum + furniture.length, 0),
+    }),
     mesh: {
       vertices: solid.positions.length / 3,
       triangles: solid.indices.length / 3,

@@ -1,6 +1,6 @@
 import { areaOf, combine } from '../core/geometry/areas.ts';
 import { orientRing, ringsOf } from '../core/geometry/rings.ts';
-import type { Gap, Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
+import type { Furniture, Gap, Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
 import { footprint, openingsAtCut } from '../solid/sections.ts';
 import { rounded } from './decimals.ts';
 import { drawDimensions, extentOf, planDimensions } from './dimensions.ts';
@@ -27,6 +27,8 @@ import { drawTitleBlock, type LegendEntry } from './title-block.ts';
 
 /** A gap is cut out of walls up to this much thicker than they are said to be, so that rounding leaves no sliver. */
 const GAP_OVERLAP = 1.02;
+/** Decimals of metres in data attributes: 0.1 mm. */
+const DATA_DIGITS = 4;
 /** Blank around a room's label, mm. */
 const LABEL_BLANK = 1.5;
 
@@ -63,6 +65,7 @@ export function drawSheet(product: Product, storey: number, { hasPoints = false 
   const points: SheetItem[] = hasPoints ? [{ kind: 'points', xy: mapped(slice.xy, planToSheet) }] : [];
   const layers: SheetLayer[] = [
     { name: 'points', isVisible: hasPoints, items: points },
+    ...drawFurniture(drawn.furniture ?? [], planToSheet),
     { name: 'walls', isVisible: true, items: walls.cut },
     { name: 'secondary', isVisible: true, items: drawSecondary(drawn.secondary, planToSheet) },
     { name: 'gaps', isVisible: true, items: walls.gaps },
@@ -131,6 +134,22 @@ function drawSecondary(secondary: readonly SecondaryBoundary[], planToSheet: Aff
   });
 }
 
+/** A layer of footprints; none where no furniture is known. */
+function drawFurniture(furniture: readonly Furniture[], planToSheet: Affine): SheetLayer[] {
+  const items = furniture.map(
+    ({ outline, height, room }, i): SheetItem => ({
+      ...({
+        kind: 'path',
+        style: 'furniture',
+        lines: linesOf(outline, planToSheet),
+        isClosed: true,
+      } as const),
+      ...{ id: `furniture-${i}`, data: { kind: 'furniture', height: rounded(height, DATA_DIGITS), room } },
+    }),
+  );
+  return items.length > 0 ? [{ name: 'furniture', isVisible: true, items }] : [];
+}
+
 /** Room names over areas; where no rooms are known, the area within the primary boundary. */
 function drawLabels(storey: Storey, planToSheet: Affine, scale: number): SheetItem[] {
   const obstacles = storey.secondary.map(({ outline }) => outline);
@@ -185,7 +204,7 @@ function isWiderThanDeep(outline: Polygon): boolean {
 }
 
 function legendOf(
-  { walls, secondary, openings }: Storey,
+  { walls, secondary, openings, furniture = [] }: Storey,
   gaps: readonly SheetItem[],
   drawn: readonly SheetItem[],
 ): LegendEntry[] {
@@ -199,6 +218,7 @@ function legendOf(
     ...(['door', 'window', 'passage'] as const).filter(
       (kind) => drawn.length > 0 && openings.some(({ type }) => type === kind),
     ),
+    ...(furniture.length > 0 ? (['furniture'] as const) : []),
   ];
 }
 

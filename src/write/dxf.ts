@@ -23,9 +23,12 @@ const DXF_LAYERS = [
   { name: 'A-GAP', colour: 30, lineType: 'DASHED', weight: 25 },
   { name: 'A-OPENING', colour: 3, lineType: 'Continuous', weight: 25 },
   { name: 'A-AREA', colour: 9, lineType: 'Continuous', weight: 18 },
+  { name: 'A-FURN', colour: 8, lineType: 'DASHED', weight: 18 },
 ] as const;
 
 type LayerName = (typeof DXF_LAYERS)[number]['name'];
+/** In the drawing where something is on it only, since it is there on request. */
+const ON_REQUEST: LayerName = 'A-FURN';
 
 /**
  * Writes plan.dxf: an AutoCAD 2000 drawing of closed polylines on named layers, z = 0, in source units and
@@ -41,7 +44,7 @@ export function writeDxf({ plan }: Product, storey: number): string {
   writeHeader(tags, plan.frame.unit, entities.extent);
   tags.section('CLASSES', () => {});
   const handles = writeDxfTables(tags, {
-    layers: DXF_LAYERS,
+    layers: DXF_LAYERS.filter(({ name }) => name !== ON_REQUEST || entities.layers.has(name)),
     dash: DASH / plan.frame.metresPerUnit,
     extent: entities.extent,
   });
@@ -73,11 +76,14 @@ function drawStorey(storey: Storey, entities: Entities): void {
   }
   for (const { from, to } of storey.openings) entities.line('A-OPENING', from, to);
   for (const { from, to } of storey.gaps) entities.line('A-GAP', from, to);
+  for (const { outline } of storey.furniture ?? []) entities.polygon('A-FURN', outline);
 }
 
 /** Collects entities and their extent, since the header that comes first needs it. */
 class Entities {
   readonly writers: ((tags: DxfTags, owner: string) => void)[] = [];
+  /** Those that something is on. */
+  readonly layers = new Set<LayerName>();
   readonly #to: SourceCoordinates;
   readonly #unitsPerMetre: number;
   #box = [Infinity, Infinity, -Infinity, -Infinity];
@@ -126,6 +132,7 @@ class Entities {
   }
 
   #polyline(layer: LayerName, places: readonly string[], isClosed: boolean): void {
+    this.layers.add(layer);
     this.writers.push((tags, owner) => {
       tags.entity('LWPOLYLINE', owner, layer);
       tags.add(

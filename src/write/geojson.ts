@@ -73,6 +73,14 @@ function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
         confidence: number(confidence),
       }),
     ),
+    ...(storey.furniture ?? []).flatMap(({ outline, height, confidence, room }) =>
+      areas('furniture', outline, (piece) => ({
+        room,
+        areaM2: number(areaOf([piece])),
+        heightM: number(height),
+        confidence: number(confidence),
+      })),
+    ),
   ];
 }
 

@@ -57,7 +57,7 @@ function readStorey(value: Json, index: number): Storey {
   const place = `storeys[${index}]`;
   const storey = asObject(value, place);
   for (const key of ['index', 'floor', 'height'] as const) asNumber(storey[key], `${place}.${key}`);
-  const outlined = (key: 'secondary' | 'walls' | 'rooms') =>
+  const outlined = (key: 'secondary' | 'walls' | 'rooms' | 'furniture') =>
     asList(storey[key], `${place}.${key}`).map((item, i) => {
       const object = asObject(item, `${place}.${key}[${i}]`);
       return { ...object, outline: readPolygon(object.outline, `${place}.${key}[${i}].outline`) };
@@ -80,6 +80,7 @@ function readStorey(value: Json, index: number): Storey {
     rooms: outlined('rooms'),
     openings: stretches('openings', ['sill', 'head', 'confidence']),
     gaps: stretches('gaps', ['width']),
+    ...(storey.furniture !== undefined && { furniture: outlined('furniture') }),
   } as unknown as Storey;
 }
 

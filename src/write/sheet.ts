@@ -43,12 +43,15 @@ export interface LineStyle {
   /** Lengths of dash and gap, mm. */
   readonly dash?: readonly [number, number];
   readonly isFilled?: boolean;
+  /** Share of ink; 1 where not said. */
+  readonly ink?: number;
 }
 
 export const LINE_STYLES = {
   wall: { width: 0.5, isFilled: true },
   secondary: { width: 0.35 },
   hatch: { width: 0.13 },
+  furniture: { width: 0.18, dash: [1.2, 0.6], ink: 0.55 },
   inferred: { width: 0.25, dash: [3, 1] },
   opening: { width: 0.25 },
   passage: { width: 0.25, dash: [1.2, 0.8] },
@@ -67,6 +70,7 @@ export const TEXT_SIZES = { label: 2.5, room: 3.5, title: 5 } as const;
 
 export type LayerName =
   | 'points'
+  | 'furniture'
   | 'walls'
   | 'secondary'
   | 'gaps'

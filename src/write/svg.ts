@@ -87,6 +87,7 @@ function pathLine({ style, lines, isClosed, id, data = {} }: SheetPath): string 
     'fill-rule': look.isFilled ? 'evenodd' : undefined,
     stroke: 'currentColor',
     'stroke-width': look.width,
+    'stroke-opacity': look.ink,
     'stroke-dasharray': look.dash?.join(' '),
     'stroke-linejoin': isClosed ? 'miter' : undefined,
   })}/>`;

@@ -7,7 +7,7 @@ import { MARGIN, STRIP } from './sheet-page.ts';
 import { shorten } from './text-width.ts';
 
 /** A sample in the legend. */
-export type LegendEntry = 'wall' | 'inferred' | Opening['type'] | keyof typeof HATCHES;
+export type LegendEntry = 'wall' | 'inferred' | 'furniture' | Opening['type'] | keyof typeof HATCHES;
 
 export interface TitleFacts {
   readonly title: string;
@@ -37,6 +37,7 @@ const LEGEND: Record<LegendEntry, string> = {
   door: 'Door, hinge unknown',
   window: 'Window',
   passage: 'Passage',
+  furniture: 'Furniture',
   subtract: 'Structure, subtracted',
   add: 'Structure, added',
   independent: 'Structure, independent',
@@ -149,14 +150,14 @@ function drawLegend(entries: readonly LegendEntry[], left: number, top: number):
 }
 
 function drawSwatch(entry: LegendEntry, box: Float64Array): SheetItem[] {
-  const outline = (style: 'scaleBar' | 'inferred' | 'swatch'): SheetItem => ({
+  const outline = (style: 'scaleBar' | 'inferred' | 'swatch' | 'furniture'): SheetItem => ({
     kind: 'path',
     style,
     lines: [box],
     isClosed: true,
   });
   if (entry === 'wall') return [outline('scaleBar')];
-  if (entry === 'inferred') return [outline('inferred')];
+  if (entry === 'inferred' || entry === 'furniture') return [outline(entry)];
   if (entry === 'door' || entry === 'window' || entry === 'passage') return drawOpening(entry, box);
   const lines = HATCHES[entry].flatMap(({ angle, spacing }) => hatch([box], angle, spacing));
   return [{ kind: 'path', style: 'hatch', lines, isClosed: false }, outline('swatch')];

@@ -70,6 +70,7 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   strokeWidth: { on: 'slice', from: { secondaryCount: 1 }, to: { strokeWidth: 0.3 } },
   secondaryEpsilon: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryEpsilon: 0.4 } },
   secondaryRounds: { on: 'slice', from: { secondaryCount: 1 }, to: { secondaryRounds: 2 } },
+  furniture: { on: 'scan', to: { furniture: true } },
   wallThickness: { on: 'scan', from: OUTLINE, to: { wallThickness: 0.4 } },
   wallSide: { on: 'scan', from: OUTLINE, to: { wallSide: 'centre' } },
   wallHeight: { on: 'scan', to: { wallHeight: 1 } },

@@ -14,14 +14,14 @@ import { planStorey, type StoreyPlan } from './plan-storey.ts';
 export function findBuilding(
   cloud: PointCloud,
   kept: Uint32Array,
-  { planMethod }: Options,
+  { planMethod, furniture }: Options,
   { progress, warn }: Pick<StageContext, 'progress' | 'warn'>,
 ): readonly StoreyPlan[] {
   if (planMethod === 'outline' || cloud.isFlat) return [];
   const heights = findStoreys(cloud, kept);
   const storeys = heights.flatMap((own, i) => {
     progress(i / heights.length);
-    const storey = planStorey(cloud, kept, own);
+    const storey = planStorey(cloud, kept, own, furniture);
     return storey.rooms.length > 0 ? [storey] : [];
   });
   if (storeys.some(({ isOpenAbove }) => isOpenAbove)) {

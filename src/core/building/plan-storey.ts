@@ -1,6 +1,16 @@
 import { centroid, perimeter } from '../geometry/rings.ts';
 import { medianOf } from '../robust-scale.ts';
-import type { Gap, Opening, PointCloud, Polygon, Room, SecondaryBoundary, Wall } from '../types.ts';
+import type {
+  Furniture,
+  Gap,
+  Opening,
+  PointCloud,
+  Polygon,
+  Room,
+  SecondaryBoundary,
+  Wall,
+} from '../types.ts';
+import { findFurniture } from './find-furniture.ts';
 import { type FoundOpening, findOpenings, placeOpening } from './find-openings.ts';
 import { findRooms } from './find-rooms.ts';
 import type { StoreyHeights } from './find-storeys.ts';
@@ -39,6 +49,8 @@ export interface StoreyPlan extends StoreyHeights {
   readonly secondary: readonly SecondaryBoundary[];
   /** Stretches of room outlines that no point supports. */
   readonly unseen: readonly Gap[];
+  /** Absent unless asked for. */
+  readonly furniture?: readonly Furniture[];
 }
 
 /** A stretch of wall with its holes, along the face it is looked at from. */
@@ -57,8 +69,13 @@ interface Site {
   readonly height: number;
 }
 
-/** Rooms, walls, openings and structures of a storey. */
-export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: StoreyHeights): StoreyPlan {
+/** Rooms, walls, openings and structures of a storey, and its furniture where that is asked for. */
+export function planStorey(
+  cloud: PointCloud,
+  kept: Uint32Array,
+  heights: StoreyHeights,
+  hasFurniture = false,
+): StoreyPlan {
   const columns = heightColumns(cloud, kept, heights);
   const ceiling = localCeiling(columns);
   const { faces, rooms: found } = findRooms(cloud, columns, ceiling);
@@ -74,22 +91,25 @@ export function planStorey(cloud: PointCloud, kept: Uint32Array, heights: Storey
   const unseen = edges.map((edge) => unseenOf(site, edge, [...inner, ...outer]));
   const byRoom = outlines.map((_, i) => unseen.filter((_, e) => edges[e].owner === i).flat());
   const tall = roomHeights(cloud, columns, outlines);
+  const rooms = outlines.map((outline, i) => ({
+    name: `Room ${i + 1}`,
+    outline,
+    height: tall[i],
+    confidence: seenShare(outline, byRoom[i]),
+  }));
+  const secondary = findStructures(site, ceiling, outlines);
   return {
     ...heights,
     primary,
-    rooms: outlines.map((outline, i) => ({
-      name: `Room ${i + 1}`,
-      outline,
-      height: tall[i],
-      confidence: seenShare(outline, byRoom[i]),
-    })),
+    rooms,
     innerWalls: innerWalls(outlines, primary, pairs, byRoom),
     innerOpenings: inner.flatMap(({ stretch, found: holes }, i) =>
       holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
     ),
     outer,
-    secondary: findStructures(site, ceiling, outlines),
+    secondary,
     unseen: byRoom.flatMap((gaps, i) => gaps.map((gap) => ({ ...gap, room: `Room ${i + 1}` }))),
+    ...(hasFurniture && { furniture: findFurniture({ cloud, columns, ceiling, noise, rooms, secondary }) }),
   };
 }
 

@@ -17,7 +17,7 @@ export function raiseStorey(
   index: number,
   { wallThickness, wallHeight }: Options,
 ): Storey {
-  const { floor, ceiling, primary, rooms, innerWalls, innerOpenings, secondary, unseen } = found;
+  const { floor, ceiling, primary, rooms, innerWalls, innerOpenings, secondary, unseen, furniture } = found;
   const shell = outerShell(found, wallThickness);
   return {
     index,
@@ -29,6 +29,7 @@ export function raiseStorey(
     rooms,
     openings: [...innerOpenings, ...shell.openings],
     gaps: unseen,
+    ...(furniture && { furniture }),
   };
 }
 

@@ -10,6 +10,13 @@ export const MODEL_PARAMS = {
     doc: 'rooms finds storeys, rooms, walls, openings and columns, and falls back to the outline where no room is found; outline draws walls along the primary boundary, as the paper does; auto takes rooms unless a parameter of the outline, from its level on, is given.',
     source: 'ours',
   }),
+  furniture: flag({
+    default: false,
+    stage: 'rooms',
+    label: 'Furniture',
+    doc: 'In plans of rooms, draw the footprints of what stands in them: tables, beds, cupboards; on a layer of their own, and never in the model.',
+    source: 'ours',
+  }),
   wallThickness: number({
     default: 0.2,
     paper: px(10),
