@@ -9,7 +9,7 @@ import {
 } from '../../fixtures/simulator/sketches.ts';
 import { variedBuilding } from '../../fixtures/simulator/varied-buildings.ts';
 import { createStrokeTest } from '../../src/cli/canvas-stroke.ts';
-import { isValid } from '../../src/core/building/valid-parts.ts';
+import { isValid } from '../../src/core/building/walls/valid-parts.ts';
 import { areaOf, combine } from '../../src/core/geometry/areas.ts';
 import { blobSource } from '../../src/read/bytes/blob-source.ts';
 import { Session } from '../../src/session/session.ts';

@@ -10,20 +10,20 @@ import type {
   SecondaryBoundary,
   Wall,
 } from '../types.ts';
-import { findFurniture } from './find-furniture.ts';
-import { type FoundOpening, findOpenings, placeOpening } from './find-openings.ts';
-import { findRooms } from './find-rooms.ts';
+import { type HeightColumns, hasPlane, heightColumns } from './columns/height-columns.ts';
+import { localCeiling } from './columns/local-ceiling.ts';
 import type { StoreyHeights } from './find-storeys.ts';
-import { findStructures } from './find-structures.ts';
-import { type HeightColumns, hasPlane, heightColumns } from './height-columns.ts';
-import { innerWalls } from './inner-walls.ts';
-import { localCeiling } from './local-ceiling.ts';
-import { type FacePair, pairFaces } from './pair-faces.ts';
-import { primaryOutline } from './primary-outline.ts';
-import { edgesOf, type RoomEdge } from './room-edges.ts';
-import { roomHeights } from './room-heights.ts';
-import { unseenStretches } from './unseen-stretches.ts';
-import { type WallStretch, type WallStrip, wallStrip } from './wall-strip.ts';
+import { findFurniture } from './furniture/find-furniture.ts';
+import { type FoundOpening, findOpenings, placeOpening } from './openings/find-openings.ts';
+import { type WallStretch, type WallStrip, wallStrip } from './openings/wall-strip.ts';
+import { findRooms } from './space/find-rooms.ts';
+import { findStructures } from './structures/find-structures.ts';
+import { innerWalls } from './walls/inner-walls.ts';
+import { type FacePair, pairFaces } from './walls/pair-faces.ts';
+import { primaryOutline } from './walls/primary-outline.ts';
+import { edgesOf, type RoomEdge } from './walls/room-edges.ts';
+import { roomHeights } from './walls/room-heights.ts';
+import { unseenStretches } from './walls/unseen-stretches.ts';
 
 /** How deep an outer wall is looked into, m. */
 const DEEPEST = 0.8;

@@ -1,9 +1,9 @@
 import type { Options } from '../params.ts';
 import { medianOf } from '../robust-scale.ts';
 import type { Opening, Storey, Wall } from '../types.ts';
-import { placeOpening } from './find-openings.ts';
-import { outerWalls } from './outer-walls.ts';
+import { placeOpening } from './openings/find-openings.ts';
 import type { StoreyPlan } from './plan-storey.ts';
+import { outerWalls } from './walls/outer-walls.ts';
 
 /** Reveals shallower than this are a window frame's, m. */
 const LEAST_REVEAL = 0.1;

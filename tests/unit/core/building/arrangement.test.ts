@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Arrangement, arrange, ringFrom } from '../../../../src/core/building/arrangement.ts';
-import type { Segment } from '../../../../src/core/building/cut-segments.ts';
+import { type Arrangement, arrange, ringFrom } from '../../../../src/core/building/space/arrangement.ts';
+import type { Segment } from '../../../../src/core/building/space/cut-segments.ts';
 import { signedArea } from '../../../../src/core/geometry/rings.ts';
 
 const segment = (line: number, ax: number, ay: number, bx: number, by: number): Segment => ({

@@ -1,5 +1,11 @@
 import { expect, it } from 'vitest';
-import { countBins, hasBin, highestBin, MOST_BINS, setBin } from '../../../../src/core/building/bin-masks.ts';
+import {
+  countBins,
+  hasBin,
+  highestBin,
+  MOST_BINS,
+  setBin,
+} from '../../../../src/core/building/columns/bin-masks.ts';
 
 it('every bin of a mask is told apart, its owner too', () => {
   for (let bin = 0; bin < MOST_BINS; bin++) {

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { ceilingAcross } from '../../../../src/core/building/ceiling-across.ts';
-import type { Face } from '../../../../src/core/building/face.ts';
+import { type HeightColumns, heightColumns } from '../../../../src/core/building/columns/height-columns.ts';
+import { localCeiling } from '../../../../src/core/building/columns/local-ceiling.ts';
+import { isClearColumn, seenSpace } from '../../../../src/core/building/columns/seen-space.ts';
+import { wallColumns } from '../../../../src/core/building/columns/wall-columns.ts';
+import { ceilingAcross } from '../../../../src/core/building/faces/ceiling-across.ts';
+import type { Face } from '../../../../src/core/building/faces/face.ts';
 import type { StoreyHeights } from '../../../../src/core/building/find-storeys.ts';
 import { findStoreys } from '../../../../src/core/building/find-storeys.ts';
-import { type HeightColumns, heightColumns } from '../../../../src/core/building/height-columns.ts';
-import { localCeiling } from '../../../../src/core/building/local-ceiling.ts';
-import { isClearColumn, seenSpace } from '../../../../src/core/building/seen-space.ts';
-import { wallColumns } from '../../../../src/core/building/wall-columns.ts';
 import type { PointCloud } from '../../../../src/core/types.ts';
 
 const STEP = 0.04;

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { type Random, seededRandom } from '../../../../fixtures/simulator/random.ts';
-import { findStructures } from '../../../../src/core/building/find-structures.ts';
-import { heightColumns } from '../../../../src/core/building/height-columns.ts';
-import { localCeiling } from '../../../../src/core/building/local-ceiling.ts';
-import { structureShape } from '../../../../src/core/building/structure-shape.ts';
+import { heightColumns } from '../../../../src/core/building/columns/height-columns.ts';
+import { localCeiling } from '../../../../src/core/building/columns/local-ceiling.ts';
+import { findStructures } from '../../../../src/core/building/structures/find-structures.ts';
+import { structureShape } from '../../../../src/core/building/structures/structure-shape.ts';
 import { areaOf, combine } from '../../../../src/core/geometry/areas.ts';
 import { pointInRing, signedArea } from '../../../../src/core/geometry/rings.ts';
 import type { PointCloud, Ring, SecondaryBoundary } from '../../../../src/core/types.ts';

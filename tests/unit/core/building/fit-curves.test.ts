@@ -1,8 +1,8 @@
 import { expect, it } from 'vitest';
 import { seededRandom } from '../../../../fixtures/simulator/random.ts';
-import { fitArc } from '../../../../src/core/building/fit-arc.ts';
-import { fitLine } from '../../../../src/core/building/fit-line.ts';
-import { type HeightColumns, heightColumns } from '../../../../src/core/building/height-columns.ts';
+import { type HeightColumns, heightColumns } from '../../../../src/core/building/columns/height-columns.ts';
+import { fitArc } from '../../../../src/core/building/faces/fit-arc.ts';
+import { fitLine } from '../../../../src/core/building/faces/fit-line.ts';
 import { circleThrough } from '../../../../src/core/geometry/circle.ts';
 import type { PointCloud } from '../../../../src/core/types.ts';
 import { UPRIGHT_FRAME } from '../made-scan.ts';

@@ -1,6 +1,6 @@
-import { findFurniture } from '../../../../src/core/building/find-furniture.ts';
-import { heightColumns } from '../../../../src/core/building/height-columns.ts';
-import { localCeiling } from '../../../../src/core/building/local-ceiling.ts';
+import { heightColumns } from '../../../../src/core/building/columns/height-columns.ts';
+import { localCeiling } from '../../../../src/core/building/columns/local-ceiling.ts';
+import { findFurniture } from '../../../../src/core/building/furniture/find-furniture.ts';
 import type { Furniture, PointCloud, Polygon, Vec2 } from '../../../../src/core/types.ts';
 import { UPRIGHT_FRAME } from '../made-scan.ts';
 

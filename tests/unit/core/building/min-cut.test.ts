@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { MinCut } from '../../../../src/core/building/max-flow.ts';
+import { MinCut } from '../../../../src/core/building/space/max-flow.ts';
 
 interface Graph {
   readonly terminals: readonly (readonly [atSink: number, atSource: number])[];

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
-import { outerWalls } from '../../../../src/core/building/outer-walls.ts';
-import { isValid, validParts } from '../../../../src/core/building/valid-parts.ts';
+import { outerWalls } from '../../../../src/core/building/walls/outer-walls.ts';
+import { isValid, validParts } from '../../../../src/core/building/walls/valid-parts.ts';
 import { areaOf, combine } from '../../../../src/core/geometry/areas.ts';
 import type { Polygon } from '../../../../src/core/types.ts';
 

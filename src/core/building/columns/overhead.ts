@@ -1,0 +1,68 @@
+import type { CellTable } from '../../cell-table.ts';
+import type { StoreyHeights } from '../find-storeys.ts';
+import { countBins, highestBin } from './bin-masks.ts';
+import { connectedColumns } from './connected-columns.ts';
+
+/** Lowest ceiling above the floor, m: under a lowered one, a stair or a slope. */
+const LEAST_OVERHEAD = 2;
+/** Bins below a ceiling that are empty, or a wall would be taken for one. */
+const CLEAR_BINS = 3;
+/** Hanging surfaces smaller than this are door heads, beams and what stands seen from below, m². */
+const SMALLEST = 1.5;
+/** Neighbouring columns are of one surface up to this step, m. */
+const LEVEL_STEP = 0.1;
+
+/** What columns tell of what hangs over them. */
+export interface ColumnTops {
+  readonly table: CellTable;
+  /** Edge of a column, m. */
+  readonly size: number;
+  readonly heights: StoreyHeights;
+  readonly masks: Int32Array;
+  readonly planes: Uint8Array;
+  /** Height of each column's highest points below the storey's ceiling, m; NaN where it has none. */
+  readonly heightsAbove: Float32Array;
+}
+
+/**
+ * Height of the ceiling over each column, m, in the cloud's frame: the storey's, or a lowered one; NaN where none was seen.
+ *
+ * A lowered ceiling is a level surface with clear space below that goes on over many columns. O(columns).
+ */
+export function overheadOf(tops: ColumnTops): Float32Array {
+  const overhead = candidates(tops);
+  const kept = new Float32Array(overhead.length).fill(Number.NaN);
+  const isVisited = Uint8Array.from(overhead, (z) => (Number.isNaN(z) ? 1 : 0));
+  for (let seed = 0; seed < overhead.length; seed++) {
+    if (isVisited[seed] === 1) continue;
+    const surface = surfaceFrom(seed, overhead, isVisited, tops.table);
+    if (surface.length * tops.size ** 2 < SMALLEST) continue;
+    for (const c of surface) kept[c] = overhead[c];
+  }
+  return kept;
+}
+
+function candidates({ heights: { floor, ceiling }, masks, planes, heightsAbove }: ColumnTops): Float32Array {
+  return Float32Array.from(planes, (plane, c) => {
+    if (plane & 2) return ceiling;
+    // Noise spreads a surface over two bins.
+    const lowest = highestBin(masks, c) - 1;
+    const isClear = countBins(masks, c, lowest - CLEAR_BINS, lowest) === 0;
+    return heightsAbove[c] >= floor + LEAST_OVERHEAD && isClear ? heightsAbove[c] : Number.NaN;
+  });
+}
+
+/** The columns that one surface hangs over. */
+function surfaceFrom(
+  seed: number,
+  overhead: Float32Array,
+  isVisited: Uint8Array,
+  table: CellTable,
+): number[] {
+  isVisited[seed] = 1;
+  return connectedColumns({ table }, seed, 1, (c, from) => {
+    if (isVisited[c] === 1 || Math.abs(overhead[c] - overhead[from]) > LEVEL_STEP) return false;
+    isVisited[c] = 1;
+    return true;
+  });
+}

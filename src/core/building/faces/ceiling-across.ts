@@ -1,0 +1,121 @@
+import type { PointCloud } from '../../types.ts';
+import { columnAt, type HeightColumns } from '../columns/height-columns.ts';
+import { alongOf, asideOf, type Face, pointOn } from './face.ts';
+
+/** The ceiling is looked at from so near a face, m, or past its noise, in deviations … */
+const NEAR = 0.02;
+const NOISES = 1.5;
+/** … as far as this, m, less than the thinnest wall, or so much past its noise … */
+const THINNEST = 0.065;
+const LEAST_WIDTH = 0.02;
+/** … over so long a stretch, m … */
+const LOOK = 0.4;
+/** … and beside that, where a wall's own points reach no more, how densely it was seen, m. */
+const BESIDE_FROM = 0.1;
+const BESIDE_TO = 0.35;
+/** Fewer points to be expected of a ceiling tell nothing … */
+const FEWEST = 4;
+/** … nor do points farther apart than so many widths of the strip: it may run between their rows. */
+const MOST_SPACING = 1.5;
+/** A side with less than this share of the other's ceiling is no measure for it. */
+const LEAST_BESIDE = 0.5;
+/** What is counted behind a face is taken for so many standard errors more: few points are no proof of an end. */
+const ERRORS = 0.5;
+/** A ceiling with less than the first share of its points behind a face ends there, with more than the second it goes on. */
+const ENDS = 0.35;
+const GOES_ON = 0.7;
+
+/** Bits of a face. */
+export interface FaceBits {
+  /** Place along the face where the first begins, m. */
+  readonly from: number;
+  readonly step: number;
+  readonly count: number;
+}
+
+/** Points of the ceiling beside each bit of a face: near and farther, on the side of its normal, then on the other. */
+const KINDS = 4;
+
+/**
+ * Whether the ceiling goes on across a face, 0 to 1 a bit: it does over a cupboard, while it ends at a wall; NaN where
+ * too little of it was seen.
+ *
+ * Points of the ceiling just behind the face are compared with what its density before the face lets expect there. The
+ * wall's own highest points, which noise spreads evenly to both sides, are taken off: they are what is too many just before
+ * it. O(points of the ceiling near the face).
+ *
+ * Not taken: a look over 0.8 or 1.2 m where 0.4 m holds too few points (hard corners at 5 cm .60 → .61, but a corridor is
+ * split where the look reaches past it: rooms of the scenes .996 → .980); one whole standard error (hard corners .61, clean
+ * rooms 1.00 → .99).
+ */
+export function ceilingAcross(
+  cloud: PointCloud,
+  columns: HeightColumns,
+  face: Face,
+  bits: FaceBits,
+): Float64Array {
+  const near = Math.max(NEAR, NOISES * face.noise);
+  const strip: Strip = { near, far: Math.max(THINNEST, near + LEAST_WIDTH) };
+  const counts = countBeside(cloud, columns, face, bits, strip);
+  const half = Math.round(LOOK / 2 / bits.step);
+  return Float64Array.from({ length: bits.count }, (_, k) => {
+    const [from, to] = [Math.max(0, k - half), Math.min(bits.count, k + half + 1)];
+    const sums = [0, 0, 0, 0];
+    for (let at = KINDS * from; at < KINDS * to; at++) sums[at % KINDS] += counts[at];
+    return goesOn(sums, strip, (to - from) * bits.step);
+  });
+}
+
+/** Distances from a face between which its ceiling is counted, m. */
+interface Strip {
+  readonly near: number;
+  readonly far: number;
+}
+
+function countBeside(
+  { positions }: PointCloud,
+  columns: HeightColumns,
+  face: Face,
+  { from, step, count }: FaceBits,
+  { near, far }: Strip,
+): Uint32Array {
+  const { size, overPoints, overStart } = columns;
+  const counts = new Uint32Array(KINDS * count);
+  const visited = new Set<number>();
+  const take = (x: number, y: number) => {
+    const bit = Math.floor((alongOf(face, x, y) - from) / step);
+    if (bit < 0 || bit >= count) return;
+    const aside = asideOf(face, x, y);
+    const away = Math.abs(aside);
+    const kind = KINDS * bit + (aside > 0 ? 0 : 2);
+    if (away >= near && away <= far) counts[kind]++;
+    else if (away >= BESIDE_FROM && away <= BESIDE_TO) counts[kind + 1]++;
+  };
+  for (let k = 0; k < count; k++) {
+    for (let across = -BESIDE_TO; across <= BESIDE_TO; across += size / 2) {
+      const c = columnAt(columns, ...pointOn(face, from + (k + 0.5) * step, across));
+      if (c < 0 || visited.has(c)) continue;
+      visited.add(c);
+      for (let p = overStart[c]; p < overStart[c + 1]; p++)
+        take(positions[3 * overPoints[p]], positions[3 * overPoints[p] + 1]);
+    }
+  }
+  return counts;
+}
+
+function goesOn(sums: readonly number[], { near, far }: Strip, length: number): number {
+  const width = far - near;
+  const shares = [0, 2].flatMap((before) => {
+    const behind = 2 - before;
+    const beside = sums[before + 1];
+    const expected = (beside * width) / (BESIDE_TO - BESIDE_FROM);
+    if (expected < FEWEST || beside < LEAST_BESIDE * sums[behind + 1]) return [];
+    const spacing = Math.sqrt(((BESIDE_TO - BESIDE_FROM) * length) / beside);
+    if (spacing > MOST_SPACING * width) return [];
+    const own = Math.max(0, sums[before] - expected);
+    const rest = Math.max(0, sums[behind] - own);
+    return [(rest + ERRORS * Math.sqrt(rest)) / expected];
+  });
+  if (shares.length === 0) return Number.NaN;
+  return Math.min(1, Math.max(0, (Math.min(...shares) - ENDS) / (GOES_ON - ENDS)));
+}

@@ -1,0 +1,100 @@
+import { type Circle, circleThrough } from '../../geometry/circle.ts';
+import { connectedColumns } from '../columns/connected-columns.ts';
+import { turnBetween } from './column-directions.ts';
+import type { Arc } from './fit-arc.ts';
+import { BAND, type Course, type FreeColumns, LONGEST_BREAK, takeAcross } from './free-columns.ts';
+
+/** Reach of the first look around a column, m. */
+const FIRST_REACH = 0.8;
+/** A column whose own direction leaves the arc's by more, radians, belongs to another. */
+const MOST_TURN = (25 * Math.PI) / 180;
+/** In the first look directions may differ by so much, radians: a round column turns fast. */
+const FIRST_TURN = (70 * Math.PI) / 180;
+/** Radii of curved walls and columns, m. */
+const SMALLEST = 0.1;
+const LARGEST = 40;
+/** An arc turns at least by this, radians: less is a straight wall. */
+const LEAST_ARC = (25 * Math.PI) / 180;
+/** Share of its length that has columns. */
+const LEAST_FILLED = 0.4;
+const MOST_ROUNDS = 20;
+/** Fewer columns make no arc. */
+const FEWEST = 6;
+/** Columns no farther apart than so many, either way, hang together. */
+const TOUCH = 2;
+
+/** Lets an arc grow from a column; null where none fits. */
+export function growArc(walls: FreeColumns, seed: number): Arc | null {
+  let members: readonly number[] = connectedAround(walls, seed);
+  let arc: Arc | null = null;
+  for (let round = 0; round < MOST_ROUNDS; round++) {
+    const circle = circleOf(walls, members);
+    if (!circle || circle.radius < SMALLEST || circle.radius > LARGEST) return null;
+    const grown = alongCircle(walls, circle, seed);
+    if (grown === null) return null;
+    const isDone = arc !== null && grown.members.length <= arc.members.length;
+    if (isDone) break;
+    arc = grown;
+    members = grown.members;
+  }
+  if (arc === null) return null;
+  const { size } = walls.columns;
+  const turn = arc.to - arc.from;
+  const sagitta = arc.radius * (1 - Math.cos(Math.min(Math.PI, turn / 2)));
+  const isFilled = arc.members.length * size >= LEAST_FILLED * turn * arc.radius;
+  return turn >= LEAST_ARC && sagitta > 2 * BAND && isFilled ? arc : null;
+}
+
+function circleOf({ columns }: FreeColumns, members: readonly number[]) {
+  if (members.length < FEWEST) return null;
+  const { centres, hits } = columns;
+  return circleThrough(
+    members.flatMap((c) => [centres[2 * c], centres[2 * c + 1]]),
+    members.map((c) => hits[c]),
+  );
+}
+
+/** Free columns that hang together with one, near it and not turned far from it. */
+function connectedAround({ columns, angle, isFree }: FreeColumns, seed: number): number[] {
+  const { centres } = columns;
+  const seen = new Set([seed]);
+  return connectedColumns(columns, seed, TOUCH, (c) => {
+    if (isFree[c] === 0 || seen.has(c)) return false;
+    const away = Math.hypot(centres[2 * c] - centres[2 * seed], centres[2 * c + 1] - centres[2 * seed + 1]);
+    if (away > FIRST_REACH || !(turnBetween(angle[c], angle[seed]) <= FIRST_TURN)) return false;
+    seen.add(c);
+    return true;
+  });
+}
+
+/** Columns along a circle to both sides of a column, as far as they follow each other. */
+function alongCircle(walls: FreeColumns, circle: Circle, seed: number): Arc | null {
+  const { centres, size } = walls.columns;
+  const { cx, cy, radius } = circle;
+  const at = Math.atan2(centres[2 * seed + 1] - cy, centres[2 * seed] - cx);
+  const step = Math.min(size / 2 / radius, Math.PI / 36);
+  const course = courseOf(circle);
+  const taken = new Set<number>();
+  const reach = [0, 0];
+  [1, -1].forEach((side, k) => {
+    const most = k === 0 ? 2 * Math.PI : 2 * Math.PI - reach[0];
+    for (let turn = 0; turn <= most && (turn - reach[k]) * radius <= LONGEST_BREAK; turn += step) {
+      if (takeAcross(walls, course, at + side * turn, taken)) reach[k] = turn;
+    }
+  });
+  if (taken.size < FEWEST) return null;
+  return { ...circle, from: at - reach[1], to: at + reach[0], members: [...taken] };
+}
+
+/** Places along a circle are directions from its centre, radians. */
+function courseOf({ cx, cy, radius }: Circle): Course {
+  return {
+    pointAt: (direction, across) => [
+      cx + (radius + across) * Math.cos(direction),
+      cy + (radius + across) * Math.sin(direction),
+    ],
+    asideOf: (x, y) => Math.hypot(x - cx, y - cy) - radius,
+    normalAt: (direction) => direction,
+    mostTurn: MOST_TURN,
+  };
+}

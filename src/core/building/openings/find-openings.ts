@@ -1,0 +1,96 @@
+import type { Opening } from '../../types.ts';
+import { faceHeights, revealLevels, type Stretch } from './opening-heights.ts';
+import { type VoidPart, voidParts } from './void-parts.ts';
+import { FEWEST, faceBand, STEP, type WallLook } from './wall-look.ts';
+import type { WallStretch, WallStrip } from './wall-strip.ts';
+
+/** Heights are looked for so far off the ends of an opening, m, or a quarter of its width where it is narrow. */
+const OFF_ENDS = 0.1;
+/** Where floor or ceiling shows over this share of a width, the scan sees through. */
+const THROUGH_SHARE = 0.4;
+/** Least height of an opening, m. */
+const LEAST_OPEN = 0.3;
+/** A door's sill is no higher, its head no lower, m. */
+const DOOR_SILL = 0.15;
+const LEAST_HEAD = 1.8;
+/** An opening whose head is this near the ceiling has no lintel, m. */
+const NO_LINTEL = 0.12;
+/** Reveals are so near an opening's ends, m … */
+const REVEAL_REACH = 0.05;
+/** … and as deep as this share of their points, a few astray. */
+const REVEAL_SHARE = 0.98;
+
+/** A hole in a wall: reach along its face and heights above the floor, m. */
+export interface FoundOpening {
+  readonly type: 'door' | 'window' | 'passage';
+  readonly from: number;
+  readonly to: number;
+  readonly sill: number;
+  readonly head: number;
+  /** Depth of its reveals, m; NaN where none was seen. */
+  readonly reveal: number;
+  readonly confidence: number;
+}
+
+/**
+ * Doors, windows and passages of a stretch of wall.
+ *
+ * A void at eye height in every face of the wall may be an opening or hidden. Reveals tell: points within the wall, which
+ * stand upright at jambs and lie level at sills and heads. Jambs part a void; a part is an opening where sill or head is seen
+ * over most of its width, or where the scan sees through beside a jamb. O(points).
+ */
+export function findOpenings(look: WallLook): FoundOpening[] {
+  const band = faceBand(look);
+  return voidParts(look, band).flatMap((part) => openingIn(look, part, band) ?? []);
+}
+
+function openingIn(look: WallLook, part: VoidPart, band: number): FoundOpening | null {
+  const { from, to, jambs, reveals } = part;
+  const margin = Math.min(OFF_ENDS, (to - from) / 4);
+  const stretch: Stretch = { begin: from + margin, end: to - margin };
+  const { head, sill } = revealLevels(look.strip, reveals, stretch);
+  const through = throughShare(look, stretch);
+  const isSeenThrough = Number.isFinite(look.thickness) && jambs > 0 && through >= THROUGH_SHARE;
+  if (head === null && sill === null && !isSeenThrough) return null;
+  const faces = faceHeights(look, stretch, band);
+  const [bottom, top] = [sill ?? faces.sill, head ?? faces.head];
+  if (top - bottom < LEAST_OPEN) return null;
+  const isLow = bottom <= DOOR_SILL && top >= LEAST_HEAD;
+  const type = !isLow ? 'window' : look.ceiling - top <= NO_LINTEL ? 'passage' : 'door';
+  const evidence = jambs + (head === null ? 0 : 1) + (isLow ? through : sill === null ? 0 : 1);
+  return {
+    type,
+    from,
+    to,
+    sill: isLow ? 0 : bottom,
+    head: top,
+    reveal: revealDepth(look.strip, part),
+    confidence: Math.min(1, evidence / 3),
+  };
+}
+
+function revealDepth({ along, deep }: WallStrip, { from, to, reveals }: VoidPart): number {
+  const own = reveals.filter((i) => along[i] > from - REVEAL_REACH && along[i] < to + REVEAL_REACH);
+  if (own.length < FEWEST) return Number.NaN;
+  const depths = Float64Array.from(own, (i) => deep[i]).sort();
+  return depths[Math.floor(REVEAL_SHARE * (depths.length - 1))];
+}
+
+function throughShare({ isThrough }: WallLook, { begin, end }: Stretch): number {
+  let [through, count] = [0, 0];
+  for (let along = begin; along <= end; along += STEP) {
+    count++;
+    if (isThrough(along)) through++;
+  }
+  return through / count;
+}
+
+/** A hole of a stretch of wall in the plan, its line `deep` behind the face, m. */
+export function placeOpening(
+  { type, from, to, sill, head, confidence }: FoundOpening,
+  { x, y, ux, uy }: WallStretch,
+  deep: number,
+): Opening {
+  const at = (along: number) => [x + along * ux + deep * uy, y + along * uy - deep * ux] as const;
+  return { type, from: at(from), to: at(to), sill, head, confidence };
+}

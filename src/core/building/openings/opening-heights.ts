@@ -1,0 +1,92 @@
+import { medianOf } from '../../robust-scale.ts';
+import { FEWEST, LOOK_FROM, LOOK_TO, STEP, type WallLook } from './wall-look.ts';
+import type { WallStrip } from './wall-strip.ts';
+
+/** Heads and sills may reach so far into the heights looked at, m. */
+const INTO_LOOK = 0.05;
+/** A sill or a head is level within this, m … */
+const LEVEL_REACH = 0.03;
+/** … and seen over this share of the width. */
+const LEVEL_SHARE = 0.4;
+/** A face stands at a height where it has points over this share of the width. */
+const STANDING_SHARE = 0.4;
+
+/** A stretch along a wall, m. */
+export interface Stretch {
+  readonly begin: number;
+  readonly end: number;
+}
+
+/** Heights above the floor, m, of the head and the sill that reveals show; null where they show none. */
+export function revealLevels(
+  strip: WallStrip,
+  reveals: readonly number[],
+  { begin, end }: Stretch,
+): { readonly head: number | null; readonly sill: number | null } {
+  const between = reveals.filter((i) => strip.along[i] > begin && strip.along[i] < end);
+  const above = between.filter((i) => strip.high[i] > LOOK_TO - INTO_LOOK);
+  const below = between.filter((i) => strip.high[i] < LOOK_FROM + INTO_LOOK);
+  return { head: levelOf(strip, above, end - begin), sill: levelOf(strip, below, end - begin) };
+}
+
+/** The height at which most of some points lie, if they cover enough of a width there. */
+function levelOf({ along, high }: WallStrip, points: readonly number[], width: number): number | null {
+  if (points.length < FEWEST) return null;
+  const level = densest(points.map((i) => high[i]));
+  const on = points.filter((i) => Math.abs(high[i] - level) <= LEVEL_REACH);
+  const bits = new Set(on.map((i) => Math.floor(along[i] / (2 * STEP))));
+  const isSeen = on.length >= FEWEST && (bits.size * 2 * STEP) / width >= LEVEL_SHARE;
+  return isSeen ? medianOf(Float64Array.from(on, (i) => high[i])) : null;
+}
+
+/** Middle of the stretch of twice {@link LEVEL_REACH} that holds most values. */
+function densest(values: readonly number[]): number {
+  const sorted = Float64Array.from(values).sort();
+  let [best, most, low] = [sorted[0], 0, 0];
+  for (let k = 0; k < sorted.length; k++) {
+    while (sorted[k] - sorted[low] > 2 * LEVEL_REACH) low++;
+    if (k - low + 1 > most) {
+      most = k - low + 1;
+      best = (sorted[k] + sorted[low]) / 2;
+    }
+  }
+  return best;
+}
+
+/** Heights above the floor, m, between which no face stands over most of a stretch, around eye height. */
+export function faceHeights(look: WallLook, stretch: Stretch, band: number): { head: number; sill: number } {
+  const isWall = standingRows(look, stretch, band);
+  const middle = Math.round((LOOK_FROM + LOOK_TO) / 2 / STEP);
+  let top = middle;
+  while (top < isWall.length && !isWall[top]) top++;
+  let bottom = middle;
+  while (bottom >= 0 && !isWall[bottom]) bottom--;
+  return {
+    head: top >= isWall.length ? look.ceiling : top * STEP,
+    sill: bottom < 0 ? 0 : (bottom + 1) * STEP,
+  };
+}
+
+/** Whether a face stands over a stretch, for each bit of height. */
+function standingRows(
+  { strip, thickness, ceiling }: WallLook,
+  { begin, end }: Stretch,
+  band: number,
+): boolean[] {
+  const { count, along, deep, high } = strip;
+  const rows = Math.ceil(ceiling / STEP);
+  const columns = Math.max(1, Math.floor((end - begin) / STEP));
+  const hits = new Uint8Array(rows * columns);
+  for (let i = 0; i < count; i++) {
+    const isOn = Math.abs(deep[i]) <= band || Math.abs(deep[i] - thickness) <= band;
+    const isWithin = along[i] >= begin && along[i] < end && high[i] >= 0 && high[i] < ceiling;
+    if (!isOn || !isWithin) continue;
+    const column = Math.min(columns - 1, Math.floor((along[i] - begin) / STEP));
+    hits[Math.min(rows - 1, Math.floor(high[i] / STEP)) * columns + column] = 1;
+  }
+  return Array.from({ length: rows }, (_, r) => {
+    let sum = 0;
+    for (let c = 0; c < columns; c++) sum += hits[r * columns + c];
+    return sum >= STANDING_SHARE * columns;
+  });
+}

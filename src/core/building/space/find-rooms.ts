@@ -1,0 +1,114 @@
+import type { PointCloud } from '../../types.ts';
+import type { HeightColumns } from '../columns/height-columns.ts';
+import type { LocalCeiling } from '../columns/local-ceiling.ts';
+import { type SeenSpace, seenSpace } from '../columns/seen-space.ts';
+import { chordsOf, tieOf } from '../faces/chords.ts';
+import { alongOf, endsOf, type Face } from '../faces/face.ts';
+import { type FaceSite, type FaceSupport, supportAlong, WALL_SHARE } from '../faces/face-support.ts';
+import { findFaces } from '../faces/find-faces.ts';
+import { settleFaces } from '../faces/settle-faces.ts';
+import { type Arrangement, arrange } from './arrangement.ts';
+import { NO_LINE, type Segment } from './cut-segments.ts';
+import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
+import { labelSpace } from './label-space.ts';
+import { missingBacks } from './missing-backs.ts';
+import { takenSupport } from './taken-walls.ts';
+import { traceRooms } from './trace-rooms.ts';
+import { wallEnds } from './wall-ends.ts';
+
+/** How far faces are drawn on past their ends to meet others, m: a wall hidden behind a cupboard or two. */
+const REACH = 5;
+/** Faces that stand as walls over less of what was seen of them are furniture or reveals. */
+const LEAST_WALL_SHARE = 0.5;
+
+/** Rooms that hold less than this share of the floor or ceiling seen are no plan of it. */
+const LEAST_HELD = 0.5;
+
+/** The rooms of a storey; none where walls and space seen do not agree. */
+export function findRooms(cloud: PointCloud, columns: HeightColumns, ceiling: LocalCeiling): FoundRooms {
+  const seen = seenSpace(columns);
+  const walls = wallFaces({ cloud, columns, ceiling });
+  const first = subdivide(walls, columns, seen);
+  const backs = missingBacks(first, columns);
+  const found = backs.faces.length === 0 ? first : subdivide(joined(walls, backs), columns, seen);
+  return holdWhatWasSeen(found, columns, seen) ? found : { ...found, rooms: [] };
+}
+
+/** Whether the rooms are a plan of what was scanned, not chance shapes between stray walls. */
+function holdWhatWasSeen(
+  { rooms, space }: FoundRooms,
+  { size }: HeightColumns,
+  { isSeen }: SeenSpace,
+): boolean {
+  let [all, held] = [0, 0];
+  for (const seen of isSeen) all += seen * size * size;
+  for (const { faces } of rooms) for (const f of faces) held += space.seen[f];
+  return held >= LEAST_HELD * all;
+}
+
+function wallFaces(site: FaceSite): WallFaces {
+  const { cloud, columns } = site;
+  const { straight, curved } = findFaces(site);
+  const stands = (group: readonly WallFace[]): WallFaces | null => {
+    const supports = group.map((face) => supportAlong(site, face, face.reach));
+    return standsAsWall(supports.flatMap(({ shares }) => [...shares])) ? { faces: group, supports } : null;
+  };
+  const lines = settleFaces(cloud, columns, straight).map((face) => [{ ...face, reach: REACH }]);
+  const curves = chordsOf(columns, curved).map((chords) => chords.map((face) => ({ ...face, reach: 0 })));
+  const none: WallFaces = { faces: [], supports: [] };
+  return [...lines, ...curves].reduce((all, group) => joined(all, stands(group) ?? none), none);
+}
+
+/** Whether a face stands as a wall where it was seen. */
+function standsAsWall(shares: readonly number[]): boolean {
+  let [wall, any] = [0, 0];
+  for (const share of shares) {
+    if (share > 0) any++;
+    if (share >= WALL_SHARE) wall++;
+  }
+  return wall > 0 && wall >= LEAST_WALL_SHARE * any;
+}
+
+function joined(a: WallFaces, b: WallFaces): WallFaces {
+  return { faces: [...a.faces, ...b.faces], supports: [...a.supports, ...b.supports] };
+}
+
+function subdivide({ faces, supports }: WallFaces, columns: HeightColumns, seen: SeenSpace): FoundRooms {
+  const segments = faces.map((face, line) => segmentOf(face, line));
+  const ties = faces.flatMap((face, line) => (face.reach === 0 ? [{ ...tieOf(face), line }] : []));
+  const ends = wallEnds({ faces, supports }, seen);
+  const arrangement = arrange([...segments, ...ties, ...ends]);
+  const support = edgeSupport(arrangement, faces, takenSupport(faces, supports, seen));
+  const space = labelSpace(arrangement, columns, seen, support);
+  return { faces, arrangement, support, space, rooms: traceRooms(arrangement, space.isRoom, support) };
+}
+
+function segmentOf(face: WallFace, line: number): Segment {
+  const [[ax, ay], [bx, by]] = endsOf(face, face.reach);
+  return { ax, ay, bx, by, line };
+}
+
+/** Share of wall along each edge: the mean of the best of the faces it lies on. */
+function edgeSupport(
+  { x, y, origin, lines }: Arrangement,
+  faces: readonly Face[],
+  supports: readonly FaceSupport[],
+): Float64Array {
+  return Float64Array.from(lines, (own, e) => {
+    const [u, v] = [origin[2 * e], origin[2 * e + 1]];
+    let best = 0;
+    for (const line of own) {
+      if (line === NO_LINE) continue;
+      const { from, step, shares } = supports[line];
+      const ends = [u, v].map((p) => (alongOf(faces[line], x[p], y[p]) - from) / step);
+      const [low, high] = [Math.min(...ends), Math.max(...ends)];
+      let [sum, count] = [0, 0];
+      for (let k = Math.max(0, Math.floor(low)); k <= Math.min(shares.length - 1, Math.floor(high)); k++) {
+        sum += shares[k];
+        count++;
+      }
+      if (count > 0) best = Math.max(best, sum / count);
+    }
+    return best;
+  });
+}

@@ -1,0 +1,192 @@
+import type { SeenSpace } from '../columns/seen-space.ts';
+import { alongOf, asideOf, crossingOf, type Face, isParallel, pointOn } from '../faces/face.ts';
+import { type FaceSupport, TAKEN_SHARE, WALL_SHARE } from '../faces/face-support.ts';
+import { NEAR_END, OPEN_SHARE, withCorners } from './wall-corners.ts';
+
+/** Widest passage or hidden stretch that a wall is taken to go on over, m. */
+const WIDEST_PASSAGE = 2.5;
+
+/** Two faces nearer or farther than this make no inner wall, m. */
+const THINNEST_WALL = 0.04;
+const THICKEST_WALL = 0.4;
+
+/** A wall that crosses bounds a gap if it stands so far off it, m: more than a wall is thick, or past a door. */
+const PASSING = [0.6, 0.9, 1.2, 1.5];
+
+/** So near behind the other face, m, a room begins and no other face stands … */
+const JUST_BEYOND = 0.1;
+/** … if the ceiling hangs over so much of it. */
+const ROOM_SHARE = 0.4;
+/** A niche is no deeper than this, m: deeper ones are rooms. */
+const DEEPEST_NICHE = 0.75;
+
+/**
+ * Support of faces with what no point shows but the building tells: a wall goes on behind furniture, over a passage, to the
+ * corner with another, and where its other face was seen.
+ */
+export function takenSupport(
+  faces: readonly Face[],
+  supports: readonly FaceSupport[],
+  seen: SeenSpace,
+): FaceSupport[] {
+  return withCorners(faces, goOn(faces, withPartners(faces, supports, seen), supports, seen), supports, seen);
+}
+
+/** Adds what a wall's other face tells of it. */
+function withPartners(
+  faces: readonly Face[],
+  supports: readonly FaceSupport[],
+  seen: SeenSpace,
+): FaceSupport[] {
+  return supports.map((support, i) => {
+    const face = faces[i];
+    const others = faces.flatMap((other, j) => (j !== i && isParallel(face, other) ? [j] : []));
+    const shares = support.shares.slice();
+    for (const side of [1, -1]) {
+      for (const stretch of backedStretches({ faces, supports, i, others, side })) {
+        if (hidesAWall(face, stretch, seen)) for (const { k } of stretch) shares[k] = TAKEN_SHARE;
+      }
+    }
+    return { ...support, shares };
+  });
+}
+
+/** A bit of a face with a standing one behind it, signed distance along the face's normal. */
+interface BackedBit {
+  readonly k: number;
+  readonly along: number;
+  readonly aside: number;
+}
+
+interface Backing {
+  readonly faces: readonly Face[];
+  readonly supports: readonly FaceSupport[];
+  readonly i: number;
+  /** Those parallel to it. */
+  readonly others: readonly number[];
+  readonly side: number;
+}
+
+/** The bits of a face that do not stand but have a standing face near on one side, by that face. */
+function backedStretches({ faces, supports, i, others, side }: Backing): BackedBit[][] {
+  const face = faces[i];
+  const { from, step, shares } = supports[i];
+  const byOther = new Map<number, BackedBit[]>();
+  for (let k = 0; k < shares.length; k++) {
+    if (shares[k] >= WALL_SHARE) continue;
+    const along = from + (k + 0.5) * step;
+    const [x, y] = pointOn(face, along);
+    let [nearest, least] = [-1, THICKEST_WALL];
+    for (const j of others) {
+      const other = faces[j];
+      const aside = -side * asideOf(other, x, y) * Math.sign(face.nx * other.nx + face.ny * other.ny);
+      if (aside <= 0 || aside >= least || !wallAt(supports[j], alongOf(other, x, y))) continue;
+      [nearest, least] = [j, aside];
+    }
+    if (nearest < 0 || least < THINNEST_WALL) continue;
+    const bit = { k, along, aside: side * least };
+    const stretch = byOther.get(nearest);
+    if (stretch) stretch.push(bit);
+    else byOther.set(nearest, [bit]);
+  }
+  return [...byOther.values()];
+}
+
+/** Whether there is a wall between a face and the one behind it: nothing seen between them, but room behind. */
+function hidesAWall(face: Face, stretch: readonly BackedBit[], seen: SeenSpace): boolean {
+  let [open, beyond] = [0, 0];
+  for (const { along, aside } of stretch) {
+    const at = (across: number) => seen.at(...pointOn(face, along, across));
+    if (at(aside / 2)) open++;
+    if (at(aside + Math.sign(aside) * JUST_BEYOND)) beyond++;
+  }
+  return open <= OPEN_SHARE * stretch.length && beyond >= ROOM_SHARE * stretch.length;
+}
+
+/** Lets walls go on over gaps between two stretches of them, unless another wall passes by at both ends: a corridor. */
+function goOn(
+  faces: readonly Face[],
+  supports: readonly FaceSupport[],
+  own: readonly FaceSupport[],
+  seen: SeenSpace,
+): FaceSupport[] {
+  return supports.map((support, i) => {
+    const { from, step } = support;
+    const shares = support.shares.map((share, k) => (own[i].shares[k] >= WALL_SHARE ? 1 : share));
+    let last = -1;
+    for (let k = 0; k < shares.length; k++) {
+      if (support.shares[k] < WALL_SHARE) continue;
+      const isGap = last >= 0 && k - last > 1 && (k - last) * step <= WIDEST_PASSAGE;
+      const [begin, end] = [from + (last + 1) * step, from + k * step];
+      if (isGap && (!isOpen(faces[i], begin, end, seen) || isPassage({ faces, own, i, begin, end }))) {
+        for (let m = last + 1; m < k; m++) shares[m] = Math.max(shares[m], TAKEN_SHARE);
+      }
+      last = k;
+    }
+    return { ...support, shares };
+  });
+}
+
+interface GapPlace {
+  readonly faces: readonly Face[];
+  readonly own: readonly FaceSupport[];
+  readonly i: number;
+  readonly begin: number;
+  readonly end: number;
+}
+
+/** Whether space was seen on most of a stretch. */
+function isOpen(face: Face, begin: number, end: number, seen: SeenSpace): boolean {
+  let [open, count] = [0, 0];
+  for (let along = begin + 0.05; along < end; along += 0.1) {
+    count++;
+    if (seen.at(...pointOn(face, along))) open++;
+  }
+  return open > count / 2;
+}
+
+/**
+ * Whether a gap leads from room to room: it is narrower than the space on either side of it, and no wall stands behind it.
+ *
+ * A corridor that passes through, or the mouth of a wing, is as wide as the gap.
+ */
+function isPassage({ faces, own, i, begin, end }: GapPlace): boolean {
+  const isNarrowing = [1, -1].every((side) =>
+    [begin, end].some((along) => !passesBy(faces, own, i, { along, side })),
+  );
+  if (!isNarrowing) return false;
+  const face = faces[i];
+  return !faces.some((other, j) => {
+    if (i === j || !isParallel(face, other)) return false;
+    let [behind, count] = [0, 0];
+    for (let along = begin + 0.05; along < end; along += 0.1) {
+      const [x, y] = pointOn(face, along);
+      count++;
+      if (Math.abs(asideOf(other, x, y)) < DEEPEST_NICHE && wallAt(own[j], alongOf(other, x, y))) behind++;
+    }
+    return behind > count / 2;
+  });
+}
+
+/** Whether a wall leads away from a face, near a place along it, to one side. */
+function passesBy(
+  faces: readonly Face[],
+  own: readonly FaceSupport[],
+  i: number,
+  { along, side }: { readonly along: number; readonly side: number },
+): boolean {
+  const face = faces[i];
+  return faces.some((other, j) => {
+    const place = crossingOf(face, other);
+    if (place === null || Math.abs(alongOf(face, ...place) - along) > NEAR_END) return false;
+    const [x, y] = place;
+    // There may be a door beside the gap.
+    return PASSING.some((off) =>
+      wallAt(own[j], alongOf(other, x + side * off * face.nx, y + side * off * face.ny)),
+    );
+  });
+}
+
+function wallAt({ from, step, shares }: FaceSupport, along: number): boolean {
+  return (shares[Math.floor((along - from) / step)] ?? 0) >= WALL_SHARE;
+}
