@@ -1,3 +1,5 @@
+import type { Ring } from '../types.ts';
+
 /** A circle in the plan, m. */
 export interface Circle {
   readonly cx: number;
@@ -5,6 +7,10 @@ export interface Circle {
   readonly radius: number;
 }
 
+/** A circle's circumference is looked at in so many parts. */
+const ARC_BINS = 36;
+/** Vertices of a drawn circle: none turns by more than 5°. */
+const VERTICES = 72;
 /** Places lie in a line when their variance across it is less than about this share of that along it. */
 const STRAIGHT = 1e-9;
 
@@ -41,4 +47,28 @@ export function circleThrough(xy: ArrayLike<number>, weights?: ArrayLike<number>
   const cx = (xq * yy - yq * cross) / (2 * determinant);
   const cy = (yq * xx - xq * cross) / (2 * determinant);
   return { cx: cx + mx, cy: cy + my, radius: Math.sqrt(cx * cx + cy * cy + q / sw) };
+}
+
+/** How far off a circle places are, root mean square, m, and the share of it that has places beside it. */
+export function offCircle(xy: Float64Array, { cx, cy, radius }: Circle): { rms: number; arc: number } {
+  const isSeen = new Uint8Array(ARC_BINS);
+  let squares = 0;
+  for (let i = 0; i < xy.length; i += 2) {
+    squares += (Math.hypot(xy[i] - cx, xy[i + 1] - cy) - radius) ** 2;
+    const turn = Math.atan2(xy[i + 1] - cy, xy[i] - cx) / (2 * Math.PI) + 0.5;
+    isSeen[Math.min(ARC_BINS - 1, Math.floor(turn * ARC_BINS))] = 1;
+  }
+  const arc = isSeen.reduce((sum, seen) => sum + seen, 0) / ARC_BINS;
+  return { rms: Math.sqrt((2 * squares) / xy.length), arc };
+}
+
+/** A circle as a fine counter-clockwise ring on it. */
+export function circleRing({ cx, cy, radius }: Circle): Ring {
+  const ring = new Float64Array(2 * VERTICES);
+  for (let k = 0; k < VERTICES; k++) {
+    const angle = (2 * Math.PI * k) / VERTICES;
+    ring[2 * k] = cx + radius * Math.cos(angle);
+    ring[2 * k + 1] = cy + radius * Math.sin(angle);
+  }
+  return ring;
 }

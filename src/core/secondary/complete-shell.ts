@@ -1,4 +1,4 @@
-import { circleThrough } from '../geometry/circle.ts';
+import { circleRing, circleThrough, offCircle } from '../geometry/circle.ts';
 import { convexHull } from '../geometry/convex-hull.ts';
 import type { Ring } from '../types.ts';
 import { type Box, boxesAround } from './hull-boxes.ts';
@@ -7,9 +7,6 @@ import { type Box, boxesAround } from './hull-boxes.ts';
 const LOOSENESS = 0.05;
 /** Share of a circle's circumference that points must see: less bends too little to tell its radius. */
 const LEAST_ARC = 0.3;
-const ARC_BINS = 36;
-/** Vertices of a completed circle: none turns by more than 5°. */
-const CIRCLE_VERTICES = 72;
 
 /**
  * The whole of a column whose far side no scanner saw: the circle or rectangle its points lie on.
@@ -29,23 +26,8 @@ export function completeShell(xy: Float64Array): Ring | null {
 function wholeCircle(xy: Float64Array): Ring | null {
   const circle = circleThrough(xy);
   if (!circle) return null;
-  const { cx, cy, radius } = circle;
-  const isSeen = new Uint8Array(ARC_BINS);
-  let squares = 0;
-  for (let i = 0; i < xy.length; i += 2) {
-    squares += (Math.hypot(xy[i] - cx, xy[i + 1] - cy) - radius) ** 2;
-    const turn = Math.atan2(xy[i + 1] - cy, xy[i] - cx) / (2 * Math.PI) + 0.5;
-    isSeen[Math.min(ARC_BINS - 1, Math.floor(turn * ARC_BINS))] = 1;
-  }
-  const arc = isSeen.reduce((sum, seen) => sum + seen, 0) / ARC_BINS;
-  if (arc < LEAST_ARC || Math.sqrt((2 * squares) / xy.length) > LOOSENESS * radius) return null;
-  const ring = new Float64Array(2 * CIRCLE_VERTICES);
-  for (let k = 0; k < CIRCLE_VERTICES; k++) {
-    const angle = (2 * Math.PI * k) / CIRCLE_VERTICES;
-    ring[2 * k] = cx + radius * Math.cos(angle);
-    ring[2 * k + 1] = cy + radius * Math.sin(angle);
-  }
-  return ring;
+  const { rms, arc } = offCircle(xy, circle);
+  return arc < LEAST_ARC || rms > LOOSENESS * circle.radius ? null : circleRing(circle);
 }
 
 function wholeRectangle(xy: Float64Array, hull: Ring): Ring | null {

@@ -1,16 +1,6 @@
 import { expect, it } from 'vitest';
 import { sayCoordinates, sayCrs, sayScale } from '../../../src/core/source-coordinates.ts';
-import type { Frame } from '../../../src/core/types.ts';
-
-const FRAME: Frame = {
-  origin: [0, 0, 0],
-  planOrigin: [0, 0, 0],
-  rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1],
-  metresPerUnit: 1,
-  unit: 'm',
-  up: 'z',
-  tilt: 0,
-};
+import { UPRIGHT_FRAME } from './made-scan.ts';
 
 it('the unit is a fact in a few words', () => {
   expect(sayScale('ft', 0.3048)).toBe('in ft');
@@ -31,7 +21,7 @@ it('a long description of a coordinate system is cut', () => {
 });
 
 it('a place is told in source units and coordinates, and no zero is negative', () => {
-  const frame = { ...FRAME, planOrigin: [691_000, 0, 0], metresPerUnit: 0.001, unit: 'mm' } as const;
+  const frame = { ...UPRIGHT_FRAME, planOrigin: [691_000, 0, 0], metresPerUnit: 0.001, unit: 'mm' } as const;
   expect(sayCoordinates(frame, [1.2344, 0.5], 0.01)).toBe('692234, 500');
-  expect(sayCoordinates(FRAME, [-0.001, 2], 0.01)).toBe('0.00, 2.00');
+  expect(sayCoordinates(UPRIGHT_FRAME, [-0.001, 2], 0.01)).toBe('0.00, 2.00');
 });

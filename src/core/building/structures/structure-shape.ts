@@ -1,4 +1,4 @@
-import { circleThrough } from '../../geometry/circle.ts';
+import { circleRing, circleThrough, offCircle } from '../../geometry/circle.ts';
 import { medianOf } from '../../robust-scale.ts';
 import type { Ring } from '../../types.ts';
 
@@ -7,13 +7,10 @@ const LOOSENESS = 0.05;
 const NOISES = 2;
 /** A circle's points see this share of it at least: less bends too little to tell its radius. */
 const LEAST_ARC = 0.3;
-const ARC_BINS = 36;
 /** A rectangle narrower than this, m, is a face or a pipe … */
 export const THINNEST = 0.15;
 /** … unless it is so many deviations of noise wide: then it is the bend of a circle. */
 const BEND_NOISES = 4;
-/** Vertices of a circle: none turns by more than 5°. */
-const CIRCLE_VERTICES = 72;
 /** Directions of a rectangle tried over a quarter turn, then around the best, radians. */
 const TURNS = 36;
 const FINE_TURNS = 8;
@@ -94,24 +91,9 @@ function sampled(xy: Float64Array): Float64Array {
 function wholeCircle(xy: Float64Array, noise: number): { outline: Ring; rms: number } | null {
   const circle = circleThrough(xy);
   if (!circle) return null;
-  const { cx, cy, radius } = circle;
-  const isSeen = new Uint8Array(ARC_BINS);
-  let squares = 0;
-  for (let i = 0; i < xy.length; i += 2) {
-    squares += (Math.hypot(xy[i] - cx, xy[i + 1] - cy) - radius) ** 2;
-    const turn = Math.atan2(xy[i + 1] - cy, xy[i] - cx) / (2 * Math.PI) + 0.5;
-    isSeen[Math.min(ARC_BINS - 1, Math.floor(turn * ARC_BINS))] = 1;
-  }
-  const arc = isSeen.reduce((sum, seen) => sum + seen, 0) / ARC_BINS;
-  const rms = Math.sqrt((2 * squares) / xy.length);
-  if (arc < LEAST_ARC || rms > Math.max(LOOSENESS * radius, NOISES * noise)) return null;
-  const outline = new Float64Array(2 * CIRCLE_VERTICES);
-  for (let k = 0; k < CIRCLE_VERTICES; k++) {
-    const angle = (2 * Math.PI * k) / CIRCLE_VERTICES;
-    outline[2 * k] = cx + radius * Math.cos(angle);
-    outline[2 * k + 1] = cy + radius * Math.sin(angle);
-  }
-  return { outline, rms };
+  const { rms, arc } = offCircle(xy, circle);
+  if (arc < LEAST_ARC || rms > Math.max(LOOSENESS * circle.radius, NOISES * noise)) return null;
+  return { outline: circleRing(circle), rms };
 }
 
 /** A rectangle and how far points scatter about it, m root mean square. */

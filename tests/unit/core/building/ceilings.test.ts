@@ -8,6 +8,7 @@ import type { Face } from '../../../../src/core/building/faces/face.ts';
 import type { StoreyHeights } from '../../../../src/core/building/find-storeys.ts';
 import { findStoreys } from '../../../../src/core/building/find-storeys.ts';
 import type { PointCloud } from '../../../../src/core/types.ts';
+import { makeCloud } from '../made-scan.ts';
 
 const STEP = 0.04;
 
@@ -29,24 +30,7 @@ class Scan {
   }
 
   cloud(): PointCloud {
-    return {
-      frame: {
-        origin: [0, 0, 0],
-        planOrigin: [0, 0, 0],
-        rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1],
-        metresPerUnit: 1,
-        unit: 'm',
-        up: 'z',
-        tilt: 0,
-      },
-      positions: Float32Array.from(this.#xyz),
-      attributes: {},
-      stations: [],
-      floor: null,
-      ceiling: null,
-      reasons: { unit: '', up: '' },
-      isFlat: false,
-    };
+    return makeCloud(this.#xyz);
   }
 }
 

@@ -6,8 +6,8 @@ import { findStructures } from '../../../../src/core/building/structures/find-st
 import { structureShape } from '../../../../src/core/building/structures/structure-shape.ts';
 import { areaOf, combine } from '../../../../src/core/geometry/areas.ts';
 import { pointInRing, signedArea } from '../../../../src/core/geometry/rings.ts';
-import type { PointCloud, Ring, SecondaryBoundary } from '../../../../src/core/types.ts';
-import { UPRIGHT_FRAME } from '../made-scan.ts';
+import type { Ring, SecondaryBoundary } from '../../../../src/core/types.ts';
+import { makeCloud } from '../made-scan.ts';
 
 const HEIGHT = 2.6;
 const NOISE = 0.008;
@@ -43,18 +43,8 @@ function roomWith(things: readonly Thing[]): SecondaryBoundary[] {
   faces(ROOM, [0, 1, 2, 3], HEIGHT, random, xyz);
   for (const { ring, seen, top } of things)
     faces(ring, seen ?? [...Array(ring.length / 2).keys()], top ?? HEIGHT, random, xyz);
-  const positions = Float32Array.from(xyz);
-  const cloud: PointCloud = {
-    frame: UPRIGHT_FRAME,
-    positions,
-    attributes: {},
-    stations: [],
-    floor: 0,
-    ceiling: HEIGHT,
-    reasons: { unit: '', up: '' },
-    isFlat: false,
-  };
-  const kept = Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
+  const cloud = makeCloud(xyz, { floor: 0, ceiling: HEIGHT });
+  const kept = Uint32Array.from({ length: xyz.length / 3 }, (_, i) => i);
   const columns = heightColumns(cloud, kept, { floor: 0, ceiling: HEIGHT });
   const site = { cloud, columns, noise: NOISE };
   return findStructures(site, localCeiling(columns), [{ outer: ROOM, holes: [] }]);

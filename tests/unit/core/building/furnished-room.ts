@@ -1,8 +1,8 @@
 import { heightColumns } from '../../../../src/core/building/columns/height-columns.ts';
 import { localCeiling } from '../../../../src/core/building/columns/local-ceiling.ts';
 import { findFurniture } from '../../../../src/core/building/furniture/find-furniture.ts';
-import type { Furniture, PointCloud, Polygon, Vec2 } from '../../../../src/core/types.ts';
-import { UPRIGHT_FRAME } from '../made-scan.ts';
+import type { Furniture, Polygon, Vec2 } from '../../../../src/core/types.ts';
+import { makeCloud } from '../made-scan.ts';
 
 const STEP = 0.03;
 
@@ -60,16 +60,7 @@ export class FurnishedRoom {
     const { WIDTH, DEPTH, HEIGHT } = FurnishedRoom;
     const whole: Box = [0, 0, WIDTH, DEPTH];
     const { positions, outline } = this.#scanned(whole, HEIGHT, turn);
-    const cloud: PointCloud = {
-      frame: UPRIGHT_FRAME,
-      positions,
-      attributes: {},
-      stations: [],
-      floor: 0,
-      ceiling: HEIGHT,
-      reasons: { unit: '', up: '' },
-      isFlat: false,
-    };
+    const cloud = makeCloud(positions, { floor: 0, ceiling: HEIGHT });
     const all = Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
     const columns = heightColumns(cloud, all, { floor: 0, ceiling: HEIGHT });
     const room: Polygon = { outer: outline, holes: [] };
