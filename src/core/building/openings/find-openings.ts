@@ -20,6 +20,9 @@ const REVEAL_REACH = 0.05;
 /** … and as deep as this share of their points, a few astray. */
 const REVEAL_SHARE = 0.98;
 
+/** How sure a closed leaf in a wall is. */
+const CLOSED_CONFIDENCE = 0.6;
+
 /** A hole in a wall: reach along its face and heights above the floor, m. */
 export interface FoundOpening {
   readonly type: 'door' | 'window' | 'passage';
@@ -45,18 +48,21 @@ export function findOpenings(look: WallLook): FoundOpening[] {
 }
 
 function openingIn(look: WallLook, part: VoidPart, band: number): FoundOpening | null {
-  const { from, to, jambs, reveals } = part;
+  const { from, to, jambs, reveals, isClosed } = part;
   const margin = Math.min(OFF_ENDS, (to - from) / 4);
   const stretch: Stretch = { begin: from + margin, end: to - margin };
-  const { head, sill } = revealLevels(look.strip, reveals, stretch);
+  // A closed leaf has points at all heights, so that only the faces beside it tell.
+  const { head, sill } = isClosed ? { head: null, sill: null } : revealLevels(look.strip, reveals, stretch);
   const through = throughShare(look, stretch);
   const isSeenThrough = Number.isFinite(look.thickness) && jambs > 0 && through >= THROUGH_SHARE;
-  if (head === null && sill === null && !isSeenThrough) return null;
+  if (head === null && sill === null && !isSeenThrough && !isClosed) return null;
   const faces = faceHeights(look, stretch, band);
   const [bottom, top] = [sill ?? faces.sill, head ?? faces.head];
   if (top - bottom < LEAST_OPEN) return null;
   const isLow = bottom <= DOOR_SILL && top >= LEAST_HEAD;
   const type = !isLow ? 'window' : look.ceiling - top <= NO_LINTEL ? 'passage' : 'door';
+  // What else stands flat before a hidden wall is furniture.
+  if (isClosed && type !== 'door') return null;
   const evidence = jambs + (head === null ? 0 : 1) + (isLow ? through : sill === null ? 0 : 1);
   return {
     type,
@@ -64,8 +70,8 @@ function openingIn(look: WallLook, part: VoidPart, band: number): FoundOpening |
     to,
     sill: isLow ? 0 : bottom,
     head: top,
-    reveal: revealDepth(look.strip, part),
-    confidence: Math.min(1, evidence / 3),
+    reveal: isClosed ? Number.NaN : revealDepth(look.strip, part),
+    confidence: isClosed ? CLOSED_CONFIDENCE : Math.min(1, evidence / 3),
   };
 }
 

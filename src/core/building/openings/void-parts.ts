@@ -1,3 +1,4 @@
+import { medianOf } from '../../robust-scale.ts';
 import { FEWEST, LOOK_FROM, LOOK_TO, STEP, type WallLook } from './wall-look.ts';
 import type { WallStrip } from './wall-strip.ts';
 
@@ -20,6 +21,14 @@ const JAMB_STEP = 2 * STEP;
 const LEAST_JAMB = 0.4;
 const ABOVE_LOOK = 0.1;
 
+/** A closed leaf stands no deeper in the wall than this, m, is flat within so much, fills so much of its void … */
+const DEEPEST_LEAF = 0.15;
+const LEAF_FLATNESS = 0.03;
+const LEAF_SHARE = 0.6;
+/** … in bits of this size, m, and is no wider than this, m: two leaves. */
+const LEAF_STEP = 0.1;
+const WIDEST_LEAF = 2;
+
 /** A stretch of a void between two ends, each a jamb that was seen or the end of the void; m along the wall. */
 export interface VoidPart {
   readonly from: number;
@@ -28,6 +37,8 @@ export interface VoidPart {
   readonly jambs: number;
   /** Points of the reveals around the void. */
   readonly reveals: readonly number[];
+  /** A leaf or a shutter fills it. */
+  readonly isClosed: boolean;
 }
 
 /** The stretches of a wall that are void at eye height, parted at jambs. O(points · log points). */
@@ -36,7 +47,8 @@ export function voidParts(look: WallLook, band: number): VoidPart[] {
   return voidsOf(look, band).flatMap(([from, to]) => {
     const { along } = look.strip;
     const near = inside.filter((i) => along[i] > from - JAMB_REACH && along[i] < to + JAMB_REACH);
-    return partsOf(look, { from, to, reveals: nearFace(look, near) });
+    const hole = { from, to, reveals: nearFace(look, near) };
+    return isClosed(look, hole) ? [{ ...hole, jambs: 0, isClosed: true }] : partsOf(look, hole);
   });
 }
 
@@ -107,7 +119,7 @@ function nearFace({ strip }: WallLook, points: readonly number[]): number[] {
 }
 
 /** Where a wall is void at eye height, m along it, and the points of its reveals there. */
-type Void = Omit<VoidPart, 'jambs'>;
+type Void = Omit<VoidPart, 'jambs' | 'isClosed'>;
 
 function partsOf(look: WallLook, hole: Void): VoidPart[] {
   const jambs = jambsIn(look, hole);
@@ -124,9 +136,31 @@ function partsOf(look: WallLook, hole: Void): VoidPart[] {
       to: right.at,
       jambs: Number(left.isJamb) + Number(right.isJamb),
       reveals: hole.reveals,
+      isClosed: false,
     });
   }
   return parts;
+}
+
+/** Whether an upright surface not far behind the face fills a void at eye height: a closed door in its frame. */
+function isClosed({ strip }: WallLook, { from, to, reveals }: Void): boolean {
+  if (to - from > WIDEST_LEAF) return false;
+  const between = reveals.filter(
+    (i) =>
+      strip.high[i] >= LOOK_FROM && strip.high[i] < LOOK_TO && strip.along[i] > from && strip.along[i] < to,
+  );
+  if (between.length < FEWEST) return false;
+  const depth = medianOf(Float64Array.from(between, (i) => strip.deep[i]));
+  if (depth > DEEPEST_LEAF) return false;
+  const bits = new Set<number>();
+  const rows = Math.round((LOOK_TO - LOOK_FROM) / LEAF_STEP);
+  const columns = Math.max(1, Math.round((to - from) / LEAF_STEP));
+  for (const i of between) {
+    if (Math.abs(strip.deep[i] - depth) > LEAF_FLATNESS) continue;
+    const column = Math.min(columns - 1, Math.floor((strip.along[i] - from) / LEAF_STEP));
+    bits.add(column * rows + Math.min(rows - 1, Math.floor((strip.high[i] - LOOK_FROM) / LEAF_STEP)));
+  }
+  return bits.size >= LEAF_SHARE * rows * columns;
 }
 
 /** Places along a void where reveals stand upright, in order. O(points · log points). */

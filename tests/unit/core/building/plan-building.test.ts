@@ -138,6 +138,15 @@ it('furnished offices under lowered ceilings have their rooms', async () => {
   expect(measures.footprintIou).toBeGreaterThan(0.98);
 });
 
+it('a closed door stands back in its frame, and is a door', async () => {
+  const { plan, measures } = await make(corpusScene('one-room-134'));
+  expect(measures.doorF1).toBe(1);
+  const door = plan.storeys[0].openings.find(({ type }) => type === 'door')!;
+  expect(door.sill).toBe(0);
+  expect(Math.abs(door.head - 2.05)).toBeLessThan(0.1);
+  expect(Math.abs(Math.hypot(door.to[0] - door.from[0], door.to[1] - door.from[1]) - 0.8)).toBeLessThan(0.1);
+});
+
 it('a garden wall has no rooms, and says so', async () => {
   const rows = ['x,y,z'];
   for (let i = 0; i < 400; i++)
