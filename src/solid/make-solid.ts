@@ -6,7 +6,7 @@ import { extrude } from './extrude.ts';
 import { layeredShells } from './layers.ts';
 import { openingBoxes } from './opening-boxes.ts';
 import type { Engine, Part } from './part.ts';
-import { carve, footprint, unite } from './sections.ts';
+import { carve, footprint, wallArea } from './sections.ts';
 import { openEdges, type TriangleMesh } from './triangle-mesh.ts';
 
 /**
@@ -57,7 +57,7 @@ function partsOf(storey: Storey, options: Options): Part[] {
   const changes = secondary.filter(({ operation }) => operation !== 'independent');
   const ceiling = floor + height;
   const slab = options.slabThickness;
-  const walls = unite(storey.walls.map(({ outline }) => outline));
+  const walls = wallArea(storey);
   const parts: Part[] = [];
   const add = (kind: Part['kind'], base: Polygon[], [low, high]: readonly [number, number]) =>
     parts.push({

@@ -1,10 +1,12 @@
-import { combine } from '../core/geometry/areas.ts';
-import { polygonArea } from '../core/geometry/rings.ts';
+import { combine, grow } from '../core/geometry/areas.ts';
+import { polygonArea, ringsOf } from '../core/geometry/rings.ts';
 import type { Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
 import { openingBoxes } from './opening-boxes.ts';
 import { separatePinches } from './pinches.ts';
 import { shareVertices } from './share-vertices.ts';
 
+/** Walls whose pieces stand nearer than this are one, m: the pieces are rounded each by itself. */
+const HAIRLINE = 0.002;
 /** A plan is cut this far above the floor, m: through doors and most windows. */
 const CUT_HEIGHT = 1;
 
@@ -13,9 +15,19 @@ const CUT_HEIGHT = 1;
  * added: disjoint polygons, metres.
  */
 export function wallSection(storey: Storey): Polygon[] {
-  const walls = storey.walls.map(({ outline }) => outline);
   const open = openingsAtCut(storey);
-  return carve(combine('difference', unite(walls), open), storey.secondary);
+  return carve(combine('difference', wallArea(storey), open), storey.secondary);
+}
+
+/** All walls of a storey in one, without the hairlines between pieces that were cut apart. */
+export function wallArea({ walls }: Storey): Polygon[] {
+  const area = unite(walls.map(({ outline }) => outline));
+  const closed = grow(grow(area, HAIRLINE / 2), -HAIRLINE / 2);
+  return vertexCount(closed) < vertexCount(area) ? closed : area;
+}
+
+function vertexCount(polygons: readonly Polygon[]): number {
+  return ringsOf(polygons).reduce((sum, ring) => sum + ring.length / 2, 0);
 }
 
 /** What openings take out of the walls in the cross-section. */
