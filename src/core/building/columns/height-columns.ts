@@ -54,17 +54,18 @@ export function heightColumns(cloud: PointCloud, kept: Uint32Array, heights: Sto
   const sorted = sortIntoColumns(positions, kept, heights, size);
   const { table } = sorted;
   const filled = fillBins(positions, sorted, heights, bins);
+  const between = pointsByColumn(
+    sorted,
+    (i) => positions[3 * i + 2] >= bins.low && positions[3 * i + 2] < bins.high,
+  );
   const overhead = overheadOf({
     ...filled,
     table,
     size,
     heights,
     heightsAbove: topHeights(positions, sorted, filled, bins),
+    endsAt: (c, z) => Math.abs(highestOf(positions, between, c) - z) <= PLANE_REACH,
   });
-  const between = pointsByColumn(
-    sorted,
-    (i) => positions[3 * i + 2] >= bins.low && positions[3 * i + 2] < bins.high,
-  );
   // What hangs over no column is not a number, and no point is above that.
   const over = pointsByColumn(sorted, (i, c) => positions[3 * i + 2] > overhead[c] - OVER_REACH);
   return {
@@ -204,6 +205,13 @@ function pointsByColumn(
   const next = start.slice(0, table.count);
   for (let k = 0; k < kept.length; k++) if (isOwn(k)) points[next[columnOf[k]]++] = kept[k];
   return { points, start };
+}
+
+/** Height of the highest point of a column between floor and ceiling, m; −∞ where it has none. */
+function highestOf(positions: Float32Array, { points, start }: ColumnPoints, c: number): number {
+  let highest = -Infinity;
+  for (let k = start[c]; k < start[c + 1]; k++) highest = Math.max(highest, positions[3 * points[k] + 2]);
+  return highest;
 }
 
 function centresOf(positions: Float32Array, { points, start }: ColumnPoints): Float64Array {

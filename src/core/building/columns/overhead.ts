@@ -22,12 +22,15 @@ export interface ColumnTops {
   readonly planes: Uint8Array;
   /** Height of each column's highest points below the storey's ceiling, m; NaN where it has none. */
   readonly heightsAbove: Float32Array;
+  /** Whether a column's highest points lie on a level, m. */
+  readonly endsAt: (column: number, z: number) => boolean;
 }
 
 /**
  * Height of the ceiling over each column, m, in the cloud's frame: the storey's, or a lowered one; NaN where none was seen.
  *
- * A lowered ceiling is a level surface with clear space below that goes on over many columns. O(columns).
+ * A lowered ceiling is a level surface with clear space below that goes on over many columns, and from there over what stands
+ * under it. O(columns + points of those it goes on over).
  */
 export function overheadOf(tops: ColumnTops): Float32Array {
   const overhead = candidates(tops);
@@ -39,7 +42,21 @@ export function overheadOf(tops: ColumnTops): Float32Array {
     if (surface.length * tops.size ** 2 < SMALLEST) continue;
     for (const c of surface) kept[c] = overhead[c];
   }
+  goOnOver(kept, tops);
   return kept;
+}
+
+/** Lets ceilings go on over columns that end at their height, whatever else is in these. */
+function goOnOver(overhead: Float32Array, { table, endsAt }: ColumnTops): void {
+  const isCeiled = (z: number) => !Number.isNaN(z);
+  for (let seed = 0; seed < overhead.length; seed++) {
+    if (!isCeiled(overhead[seed])) continue;
+    connectedColumns({ table }, seed, 1, (c, from) => {
+      if (isCeiled(overhead[c]) || !endsAt(c, overhead[from])) return false;
+      overhead[c] = overhead[from];
+      return true;
+    });
+  }
 }
 
 function candidates({ heights: { floor, ceiling }, masks, planes, heightsAbove }: ColumnTops): Float32Array {
