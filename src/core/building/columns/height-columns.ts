@@ -7,15 +7,13 @@ import { overheadOf } from './overhead.ts';
 /** Height of a bin, m: coarser than the voxels of a thinned cloud. */
 const BIN = 0.1;
 /** Floors and ceilings are found within this of their height, m: noise, tilt, sills, coves. */
-const PLANE_REACH = 0.08;
+export const PLANE_REACH = 0.08;
 /** Height below a ceiling of the cleanest slice of a storey, m: above door heads and most cupboards. */
 const TOP_BAND = 0.45;
 /** Columns are so many times as wide as points are apart, within limits in m. */
 const SPACINGS = 1.25;
 const NARROWEST = 0.05;
 const WIDEST = 0.15;
-/** Points within this of what hangs over a column are on it, m. */
-const OVER_REACH = 0.05;
 /** The points of a storey in columns of a square grid seen from above. */
 export interface HeightColumns {
   /** Edge of a column, m. */
@@ -67,7 +65,7 @@ export function heightColumns(cloud: PointCloud, kept: Uint32Array, heights: Sto
     endsAt: (c, z) => Math.abs(highestOf(positions, between, c) - z) <= PLANE_REACH,
   });
   // What hangs over no column is not a number, and no point is above that.
-  const over = pointsByColumn(sorted, (i, c) => positions[3 * i + 2] > overhead[c] - OVER_REACH);
+  const over = pointsByColumn(sorted, (i, c) => positions[3 * i + 2] > overhead[c] - PLANE_REACH);
   return {
     size,
     heights,

@@ -13,6 +13,8 @@ const LOOK = 0.4;
 /** … and beside that, where a wall's own points reach no more, how densely it was seen, m. */
 const BESIDE_FROM = 0.1;
 const BESIDE_TO = 0.35;
+/** Points of a wall nearer to the ceiling than this cannot be told from it, m. */
+const ON_CEILING = 0.05;
 /** Fewer points to be expected of a ceiling tell nothing … */
 const FEWEST = 4;
 /** … nor do points farther apart than so many widths of the strip: it may run between their rows. */
@@ -79,7 +81,7 @@ function countBeside(
   { from, step, count }: FaceBits,
   { near, far }: Strip,
 ): Uint32Array {
-  const { size, overPoints, overStart } = columns;
+  const { size, overhead, overPoints, overStart } = columns;
   const counts = new Uint32Array(KINDS * count);
   const visited = new Set<number>();
   const take = (x: number, y: number) => {
@@ -96,8 +98,10 @@ function countBeside(
       const c = columnAt(columns, ...pointOn(face, from + (k + 0.5) * step, across));
       if (c < 0 || visited.has(c)) continue;
       visited.add(c);
-      for (let p = overStart[c]; p < overStart[c + 1]; p++)
-        take(positions[3 * overPoints[p]], positions[3 * overPoints[p] + 1]);
+      for (let p = overStart[c]; p < overStart[c + 1]; p++) {
+        const i = 3 * overPoints[p];
+        if (positions[i + 2] > overhead[c] - ON_CEILING) take(positions[i], positions[i + 1]);
+      }
     }
   }
   return counts;

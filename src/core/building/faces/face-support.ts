@@ -1,9 +1,8 @@
-import type { PointCloud } from '../../types.ts';
 import { countBins } from '../columns/bin-masks.ts';
 import { binAt, type HeightColumns, topShare } from '../columns/height-columns.ts';
-import type { LocalCeiling } from '../columns/local-ceiling.ts';
-import { ceilingAcross } from './ceiling-across.ts';
-import { alongOf, type Face, pointOn } from './face.ts';
+import { ceilingAcross, type FaceBits } from './ceiling-across.ts';
+import { alongOf, type Face, type FaceSite, pointOn } from './face.ts';
+import { gapAbove } from './gap-above.ts';
 
 /** Bits of wall along a face, m. */
 export const STEP = 0.05;
@@ -26,17 +25,12 @@ export interface FaceSupport {
   /** Place along the face where the first bit begins, m. */
   readonly from: number;
   readonly step: number;
-  /** Share of the height below the ceiling that has points, 0 to 1. */
+  /** Share of the height below the ceiling that has points, 0 to 1; 0 where it ends below the ceiling, or that goes on over it. */
   readonly shares: Float64Array;
+  /** Whether anything was seen, 1 or 0 a bit. */
+  readonly isSeen: Uint8Array;
   /** Whether the ceiling goes on over the face, 0 to 1 a bit; NaN where that is not known. */
   readonly ceiling: Float64Array;
-}
-
-/** The storey that faces stand in. */
-export interface FaceSite {
-  readonly cloud: PointCloud;
-  readonly columns: HeightColumns;
-  readonly ceiling: LocalCeiling;
 }
 
 /**
@@ -45,7 +39,8 @@ export interface FaceSite {
  * Not taken: reading every column near the line too. Walls seen through a slit above cupboards come out (hard rooms F1 .92
  * → .95), but so do cupboards and curtains (hard corners at 5 cm .60 → .51).
  */
-export function supportAlong({ cloud, columns, ceiling }: FaceSite, face: Face, reach: number): FaceSupport {
+export function supportAlong(site: FaceSite, face: Face, reach: number): FaceSupport {
+  const { cloud, columns, ceiling } = site;
   const { centres, masks, size } = columns;
   const from = face.from - reach;
   const count = Math.ceil((face.to - face.from + 2 * reach) / STEP);
@@ -66,13 +61,18 @@ export function supportAlong({ cloud, columns, ceiling }: FaceSite, face: Face, 
     const [left, right] = [-BESIDE, BESIDE].map((aside) => ceiling.at(...pointOn(face, along, aside)));
     shares[k] = standingShare(columns, seen, k, Math.min(left, right));
   }
-  const over = ceilingAcross(cloud, columns, face, { from, step: STEP, count });
+  const bits: FaceBits = { from, step: STEP, count };
+  const over = ceilingAcross(cloud, columns, face, bits);
+  const gaps = gapAbove(site, face, bits);
+  const standing = (share: number, k: number) => {
+    if (gaps[k] === 1) return 0;
+    return Number.isNaN(over[k]) ? share : (1 - over[k]) * Math.min(1, share / ENOUGH);
+  };
   return {
     from,
     step: STEP,
-    shares: shares.map((share, k) =>
-      Number.isNaN(over[k]) ? share : (1 - over[k]) * Math.min(1, share / ENOUGH),
-    ),
+    shares: shares.map(standing),
+    isSeen: Uint8Array.from(shares, (share) => (share > 0 ? 1 : 0)),
     ceiling: over,
   };
 }

@@ -1,3 +1,7 @@
+import type { PointCloud } from '../../types.ts';
+import type { HeightColumns } from '../columns/height-columns.ts';
+import type { LocalCeiling } from '../columns/local-ceiling.ts';
+
 /** A run of columns in a line: points x with normal · x = offset. */
 export interface Line {
   readonly nx: number;
@@ -15,6 +19,13 @@ export interface Face extends Line {
   readonly noise: number;
   /** Points that the fit rests on. */
   readonly support: number;
+}
+
+/** The storey that faces stand in. */
+export interface FaceSite {
+  readonly cloud: PointCloud;
+  readonly columns: HeightColumns;
+  readonly ceiling: LocalCeiling;
 }
 
 /** Cosine of the angle up to which lines are parallel, 3°. */

@@ -3,8 +3,8 @@ import type { HeightColumns } from '../columns/height-columns.ts';
 import type { LocalCeiling } from '../columns/local-ceiling.ts';
 import { type SeenSpace, seenSpace } from '../columns/seen-space.ts';
 import { chordsOf, tieOf } from '../faces/chords.ts';
-import { alongOf, endsOf, type Face } from '../faces/face.ts';
-import { type FaceSite, type FaceSupport, supportAlong, WALL_SHARE } from '../faces/face-support.ts';
+import { alongOf, endsOf, type Face, type FaceSite } from '../faces/face.ts';
+import { type FaceSupport, supportAlong, WALL_SHARE } from '../faces/face-support.ts';
 import { findFaces } from '../faces/find-faces.ts';
 import { settleFaces } from '../faces/settle-faces.ts';
 import { type Arrangement, arrange } from './arrangement.ts';
@@ -18,8 +18,10 @@ import { wallEnds } from './wall-ends.ts';
 
 /** How far faces are drawn on past their ends to meet others, m: a wall hidden behind a cupboard or two. */
 const REACH = 5;
-/** Faces that stand as walls over less of what was seen of them are furniture or reveals. */
+/** Faces that stand as walls over less of what was seen of them are furniture or reveals … */
 const LEAST_WALL_SHARE = 0.5;
+/** … unless they do so over this length in one, m: cupboards in line with a wall. */
+const LEAST_WALL = 0.6;
 
 /** Rooms that hold less than this share of the floor or ceiling seen are no plan of it. */
 const LEAST_HELD = 0.5;
@@ -51,7 +53,7 @@ function wallFaces(site: FaceSite): WallFaces {
   const { straight, curved } = findFaces(site);
   const stands = (group: readonly WallFace[]): WallFaces | null => {
     const supports = group.map((face) => supportAlong(site, face, face.reach));
-    return standsAsWall(supports.flatMap(({ shares }) => [...shares])) ? { faces: group, supports } : null;
+    return standsAsWall(supports) ? { faces: group, supports } : null;
   };
   const lines = settleFaces(cloud, columns, straight).map((face) => [{ ...face, reach: REACH }]);
   const curves = chordsOf(columns, curved).map((chords) => chords.map((face) => ({ ...face, reach: 0 })));
@@ -60,11 +62,15 @@ function wallFaces(site: FaceSite): WallFaces {
 }
 
 /** Whether a face stands as a wall where it was seen. */
-function standsAsWall(shares: readonly number[]): boolean {
-  let [wall, any] = [0, 0];
-  for (const share of shares) {
-    if (share > 0) any++;
-    if (share >= WALL_SHARE) wall++;
+function standsAsWall(supports: readonly FaceSupport[]): boolean {
+  let [wall, any, run] = [0, 0, 0];
+  for (const { shares, isSeen, step } of supports) {
+    for (const [k, share] of shares.entries()) {
+      any += isSeen[k];
+      run = share >= WALL_SHARE ? run + step : 0;
+      if (run >= LEAST_WALL) return true;
+      if (share >= WALL_SHARE) wall++;
+    }
   }
   return wall > 0 && wall >= LEAST_WALL_SHARE * any;
 }

@@ -47,6 +47,7 @@ export function missingBacks(found: FoundRooms, columns: HeightColumns): WallFac
         from: from - OVERLAP,
         step: STEP,
         shares,
+        isSeen: new Uint8Array(shares.length),
         ceiling: new Float64Array(shares.length).fill(Number.NaN),
       });
     }

@@ -5,6 +5,7 @@ import { isClearColumn, seenSpace } from '../../../../src/core/building/columns/
 import { wallColumns } from '../../../../src/core/building/columns/wall-columns.ts';
 import { ceilingAcross } from '../../../../src/core/building/faces/ceiling-across.ts';
 import type { Face } from '../../../../src/core/building/faces/face.ts';
+import { gapAbove } from '../../../../src/core/building/faces/gap-above.ts';
 import type { StoreyHeights } from '../../../../src/core/building/find-storeys.ts';
 import { findStoreys } from '../../../../src/core/building/find-storeys.ts';
 import type { PointCloud } from '../../../../src/core/types.ts';
@@ -91,10 +92,61 @@ describe('what hangs over a column', () => {
     expect(own.overhead[columnAt(own, 1.5, 1.15)]).toBeNaN();
   });
 
+  it('is a lowered ceiling over what stands under that, but not over what ends elsewhere', () => {
+    const low = new Scan()
+      .level(0, [0, 0, 4, 4])
+      .level(2.3, [0, 0, 4, 4])
+      .wall(1.01, [1, 2], [0, 2.15])
+      .wall(2.01, [1, 2], [0, 3])
+      .cloud();
+    const own = columnsOf(low, heights);
+    expect(own.overhead[columnAt(own, 1.5, 1.01)]).toBeCloseTo(2.3, 2);
+    expect(own.overhead[columnAt(own, 1.5, 2.01)]).toBeNaN();
+  });
+
   it('does not make a wall of a lowered ceiling, nor hide one that stands below it', () => {
     const isWall = wallColumns(columns, localCeiling(columns));
     expect(isWall[columnAt(columns, 5, 3)]).toBe(0);
     expect(isWall[columnAt(columns, 2, 2)]).toBe(1);
+  });
+});
+
+describe('the gap above a face', () => {
+  const heights = { floor: 0, ceiling: 2.6 };
+  const face: Face = { nx: 0, ny: 1, offset: 2, from: -4, to: 0, members: [], noise: 0.005, support: 1 };
+  const bits = { from: -4, step: 0.05, count: 80 };
+  const gaps = (scan: Scan) => {
+    const cloud = scan.cloud();
+    const columns = columnsOf(cloud, heights);
+    return [...gapAbove({ cloud, columns, ceiling: localCeiling(columns) }, face, bits)];
+  };
+  const room = () => new Scan().level(0, [0, 0, 4, 4]);
+
+  it('tells a wardrobe from a wall where hardly any of the ceiling behind was seen', () => {
+    const ceiled = () => room().level(2.6, [0, 0, 4, 2.05]);
+    expect(gaps(ceiled().wall(2, [0, 4], [0, 2.48])).every((gap) => gap === 1)).toBe(true);
+    expect(gaps(ceiled().wall(2, [0, 4], [0, 2.6])).every((gap) => gap === 0)).toBe(true);
+  });
+
+  it('changes along a wall with a wardrobe in line', () => {
+    const found = gaps(
+      room().level(2.6, [0, 0, 4, 2.05]).wall(2, [0, 2], [0, 2.6]).wall(2, [2, 4], [0, 2.4]),
+    );
+    // Along the face is against x.
+    expect(found.slice(0, 30).every((gap) => gap === 1)).toBe(true);
+    expect(found.slice(50).every((gap) => gap === 0)).toBe(true);
+  });
+
+  it('is that below a lowered ceiling too', () => {
+    const low = room().level(2.3, [0, 0, 4, 4]).wall(2, [0, 4], [0, 2.15]);
+    expect(gaps(low).every((gap) => gap === 1)).toBe(true);
+  });
+
+  it('is none where the wall alone was seen, and not known where its points lie in rows as far apart', () => {
+    expect(gaps(room().wall(2, [0, 4], [0, 2.4])).every((gap) => gap === 0)).toBe(true);
+    const rows = room().level(2.6, [0, 0, 4, 2.05]);
+    for (let z = 0; z < 2.5; z += 0.1) rows.wall(2, [0, 4], [z, z + 0.03]);
+    expect(gaps(rows).every(Number.isNaN)).toBe(true);
   });
 });
 
