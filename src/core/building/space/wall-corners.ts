@@ -6,8 +6,8 @@ import { type FaceSupport, TAKEN_SHARE, WALL_SHARE } from '../faces/face-support
 export const NEAR_END = 0.3;
 /** Along a hidden stretch, or between the faces of a wall, hardly any place shows a floor or a ceiling. */
 export const OPEN_SHARE = 0.15;
-/** How far a wall is taken to go on unseen to the corner with another, m: behind a wardrobe. */
-const LONGEST = 2.5;
+/** How far a wall is taken to go on unseen to the corner with another, m: behind a row of wardrobes. */
+const LONGEST = 3.5;
 /** Walls seen over less than this, m, may be columns or furniture: they do not go on. */
 const SHORTEST_WALL = 0.6;
 
