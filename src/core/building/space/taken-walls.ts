@@ -1,10 +1,12 @@
 import type { SeenSpace } from '../columns/seen-space.ts';
 import { alongOf, asideOf, crossingOf, type Face, isParallel, pointOn } from '../faces/face.ts';
 import { type FaceSupport, TAKEN_SHARE, WALL_SHARE } from '../faces/face-support.ts';
-import { NEAR_END, OPEN_SHARE, withCorners } from './wall-corners.ts';
+import { LONGEST, NEAR_END, OPEN_SHARE, withCorners } from './wall-corners.ts';
 
-/** Widest passage or hidden stretch that a wall is taken to go on over, m. */
+/** Widest passage that a wall is taken to go on over, m. */
 const WIDEST_PASSAGE = 2.5;
+/** Over such a width, space seen on less than this share of it does not interrupt the wall. */
+const HALF_OPEN = 0.5;
 
 /** Two faces nearer or farther than this make no inner wall, m. */
 const THINNEST_WALL = 0.04;
@@ -116,9 +118,8 @@ function goOn(
     let last = -1;
     for (let k = 0; k < shares.length; k++) {
       if (support.shares[k] < WALL_SHARE) continue;
-      const isGap = last >= 0 && k - last > 1 && (k - last) * step <= WIDEST_PASSAGE;
       const [begin, end] = [from + (last + 1) * step, from + k * step];
-      if (isGap && (!isOpen(faces[i], begin, end, seen) || isPassage({ faces, own, i, begin, end }))) {
+      if (last >= 0 && k - last > 1 && goesOnOver({ faces, own, i, begin, end }, seen)) {
         for (let m = last + 1; m < k; m++) shares[m] = Math.max(shares[m], TAKEN_SHARE);
       }
       last = k;
@@ -135,14 +136,22 @@ interface GapPlace {
   readonly end: number;
 }
 
-/** Whether space was seen on most of a stretch. */
-function isOpen(face: Face, begin: number, end: number, seen: SeenSpace): boolean {
+/** Whether a wall goes on over a gap: nothing was seen there, or it is a passage. */
+function goesOnOver(gap: GapPlace, seen: SeenSpace): boolean {
+  const { faces, i, begin, end } = gap;
+  const open = openShare(faces[i], begin, end, seen);
+  if (end - begin > WIDEST_PASSAGE) return end - begin <= LONGEST && open <= OPEN_SHARE;
+  return open <= HALF_OPEN || isPassage(gap);
+}
+
+/** Share of a stretch on which space was seen. */
+function openShare(face: Face, begin: number, end: number, seen: SeenSpace): number {
   let [open, count] = [0, 0];
   for (let along = begin + 0.05; along < end; along += 0.1) {
     count++;
     if (seen.at(...pointOn(face, along))) open++;
   }
-  return open > count / 2;
+  return open / Math.max(1, count);
 }
 
 /**
