@@ -7,6 +7,8 @@ import { connectedColumns } from './connected-columns.ts';
 const LEAST_OVERHEAD = 2;
 /** Bins below a ceiling that are empty, or a wall would be taken for one. */
 const CLEAR_BINS = 3;
+/** A lowered ceiling hangs lower than the storey by this at least, m: its frame and lamps need that, less is unevenness. */
+const LEAST_DROP = 0.15;
 /** Hanging surfaces smaller than this are door heads, beams and what stands seen from below, m². */
 const SMALLEST = 1.5;
 /** Neighbouring columns are of one surface up to this step, m. */
@@ -46,13 +48,12 @@ export function overheadOf(tops: ColumnTops): Float32Array {
   return kept;
 }
 
-/** Lets ceilings go on over columns that end at their height, whatever else is in these. */
-function goOnOver(overhead: Float32Array, { table, endsAt }: ColumnTops): void {
-  const isCeiled = (z: number) => !Number.isNaN(z);
+/** Lets lowered ceilings go on over columns that end at their height, whatever else is in these. */
+function goOnOver(overhead: Float32Array, { table, heights, endsAt }: ColumnTops): void {
   for (let seed = 0; seed < overhead.length; seed++) {
-    if (!isCeiled(overhead[seed])) continue;
+    if (!(overhead[seed] <= heights.ceiling - LEAST_DROP)) continue;
     connectedColumns({ table }, seed, 1, (c, from) => {
-      if (isCeiled(overhead[c]) || !endsAt(c, overhead[from])) return false;
+      if (!Number.isNaN(overhead[c]) || !endsAt(c, overhead[from])) return false;
       overhead[c] = overhead[from];
       return true;
     });

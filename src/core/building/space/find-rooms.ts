@@ -20,7 +20,7 @@ import { wallEnds } from './wall-ends.ts';
 const REACH = 5;
 /** Faces that stand as walls over less of what was seen of them are furniture or reveals … */
 const LEAST_WALL_SHARE = 0.5;
-/** … unless they do so over this length in one, m: cupboards in line with a wall. */
+/** … but what ends below the ceiling does not count where the rest is so long in one, m: cupboards in line with a wall. */
 const LEAST_WALL = 0.6;
 
 /** Rooms that hold less than this share of the floor or ceiling seen are no plan of it. */
@@ -63,16 +63,18 @@ function wallFaces(site: FaceSite): WallFaces {
 
 /** Whether a face stands as a wall where it was seen. */
 function standsAsWall(supports: readonly FaceSupport[]): boolean {
-  let [wall, any, run] = [0, 0, 0];
+  let [wall, any, seen, run, longest] = [0, 0, 0, 0, 0];
   for (const { shares, isSeen, step } of supports) {
     for (const [k, share] of shares.entries()) {
-      any += isSeen[k];
-      run = share >= WALL_SHARE ? run + step : 0;
-      if (run >= LEAST_WALL) return true;
+      seen += isSeen[k];
+      if (share > 0) any++;
       if (share >= WALL_SHARE) wall++;
+      run = share >= WALL_SHARE ? run + step : 0;
+      longest = Math.max(longest, run);
     }
   }
-  return wall > 0 && wall >= LEAST_WALL_SHARE * any;
+  if (wall === 0 || wall < LEAST_WALL_SHARE * any) return false;
+  return longest >= LEAST_WALL || wall >= LEAST_WALL_SHARE * seen;
 }
 
 function joined(a: WallFaces, b: WallFaces): WallFaces {
