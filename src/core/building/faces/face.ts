@@ -1,3 +1,5 @@
+import type { Circle } from '../../geometry/circle.ts';
+
 /** A run of columns in a line: points x with normal · x = offset. */
 export interface Line {
   readonly nx: number;
@@ -15,6 +17,8 @@ export interface Face extends Line {
   readonly noise: number;
   /** Points that the fit rests on. */
   readonly support: number;
+  /** The curved wall that it is a chord of. */
+  readonly arc?: Circle;
 }
 
 /** Cosine of the angle up to which lines are parallel, 3°. */
