@@ -1,3 +1,4 @@
+import { chordTurn } from '../../geometry/ring-arcs.ts';
 import type { HeightColumns } from '../columns/height-columns.ts';
 import { type Face, pointOn } from './face.ts';
 import type { CurvedFace } from './fit-arc.ts';
@@ -23,7 +24,8 @@ function chordsOfArc({ centres }: HeightColumns, arc: CurvedFace): Face[] {
     : Math.min(OVERLAP / radius, Math.PI / 8);
   const isWhole = arc.to - arc.from > 2 * Math.PI - 2 * overlap;
   const [from, to] = isWhole ? [arc.from, arc.from + 2 * Math.PI] : [arc.from - overlap, arc.to + overlap];
-  const count = Math.ceil((to - from) / STEP);
+  const step = arc.isSure ? Math.min(STEP, chordTurn(radius)) : STEP;
+  const count = Math.ceil((to - from) / step);
   const turn = (to - from) / count;
   const members: number[][] = Array.from({ length: count }, () => []);
   for (const c of arc.members) {

@@ -84,7 +84,9 @@ function subdivide({ faces, supports }: WallFaces, columns: HeightColumns, seen:
   const taken = withCurves(faces, takenSupport(faces, supports, seen), seen);
   const support = edgeSupport(arrangement, faces, taken);
   const space = labelSpace(arrangement, columns, seen, support);
-  return { faces, arrangement, support, space, rooms: traceRooms(arrangement, space.isRoom, support) };
+  const curves = [...new Set(faces.flatMap(({ arc }) => arc ?? []))];
+  const rooms = traceRooms(arrangement, space.isRoom, support, curves);
+  return { faces, arrangement, support, space, curves, rooms };
 }
 
 function segmentOf(face: WallFace, line: number): Segment {
