@@ -10,6 +10,8 @@ import { sidesOf, type WallSide } from './wall-sides.ts';
 
 /** Corners reach no farther out than so many thicknesses: sharper ones are cut off. */
 const MITRE_LIMIT = 3;
+/** Places on an outer face nearer to each other are one, m. */
+const SHORTEST_CHORD = 0.001;
 /** Walls that share less than this do so by rounding, m². */
 const LEAST_OVERLAP = 1e-5;
 /** Pieces of walls smaller than this are debris, m². */
@@ -135,13 +137,27 @@ function outlineSide(
 function wallsAround(sides: readonly OutlineSide[]): PlannedWall[] {
   const n = sides.length;
   return sides.map((side, i): PlannedWall => {
-    const { number, thickness, inner, outer, circles } = side;
+    const { number, thickness, inner, circles } = side;
     const start = cornerOf(sides[(i + n - 1) % n], side, thickness);
     const end = cornerOf(side, sides[(i + 1) % n], thickness);
-    const out = [start.ofSecond, ...outer.slice(1, -1), end.ofFirst].reverse();
+    const out = [start.ofSecond, ...between(side, start.ofSecond, end.ofFirst), end.ofFirst].reverse();
     const ring = Float64Array.from([...inner, ...out].flat());
     return { side: number, ring, thickness, length: lengthOf(inner), circles };
   });
+}
+
+/** Vertices of a curved outer face that lie between its corners: in a mitre it goes on past its ends, or ends before. */
+function between({ outer, circles }: OutlineSide, start: Point, end: Point): Point[] {
+  const [circle] = circles;
+  if (circle === undefined) return [];
+  const { cx, cy } = circle;
+  const [mx, my] = outer[outer.length >> 1];
+  const turn = ([x, y]: Point) =>
+    Math.atan2((mx - cx) * (y - cy) - (my - cy) * (x - cx), (mx - cx) * (x - cx) + (my - cy) * (y - cy));
+  const way = Math.sign(turn(outer[outer.length - 1]) - turn(outer[0]));
+  const apart = SHORTEST_CHORD / circles[1].radius;
+  const [from, to] = [way * turn(start) + apart, way * turn(end) - apart];
+  return outer.filter((place) => way * turn(place) > from && way * turn(place) < to);
 }
 
 function lengthOf(places: readonly Point[]): number {
