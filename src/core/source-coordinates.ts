@@ -1,3 +1,4 @@
+import type { Circle } from './geometry/circle.ts';
 import type { Frame, FrameUnit, Vec2 } from './types.ts';
 
 /** What a written coordinate may be off by, m. */
@@ -55,4 +56,17 @@ export function sourceCoordinates(
     y: (planY) => planOrigin[1] + planY / metresPerUnit,
     digits: Math.min(MOST_DECIMALS, Math.max(0, digits)),
   };
+}
+
+/** Circles of the plan in source units and coordinates. */
+export function circlesIn(
+  to: SourceCoordinates,
+  metresPerUnit: number,
+  circles: readonly Circle[],
+): Circle[] {
+  return circles.map(({ cx, cy, radius }) => ({
+    cx: to.x(cx),
+    cy: to.y(cy),
+    radius: radius / metresPerUnit,
+  }));
 }

@@ -19,6 +19,23 @@ export type Ring = Float64Array;
 export interface Polygon {
   readonly outer: Ring;
   readonly holes: readonly Ring[];
+  /** Where its rings stand for curves; absent where they do nowhere. */
+  readonly arcs?: readonly RingArc[];
+}
+
+/**
+ * A run of vertices on a circle, a few mm off which the edges between them pass: a curved wall.
+ *
+ * From vertex `from` of a ring on to vertex `to`, past its last vertex to its first where need be; a whole circle ends where
+ * it begins.
+ */
+export interface RingArc {
+  /** 0 for the outer ring, then the holes in order. */
+  readonly ring: number;
+  readonly from: number;
+  readonly to: number;
+  readonly centre: Vec2;
+  readonly radius: number;
 }
 
 /** What a reader knew of each point beside its place. Every array present has one entry (colour: three) a point. */

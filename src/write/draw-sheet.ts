@@ -1,6 +1,8 @@
 import { areaOf, combine } from '../core/geometry/areas.ts';
+import type { Circle } from '../core/geometry/circle.ts';
+import { circlesOf } from '../core/geometry/ring-arcs.ts';
 import { orientRing, ringsOf } from '../core/geometry/rings.ts';
-import type { Furniture, Gap, Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
+import type { Furniture, Gap, Polygon, RingArc, SecondaryBoundary, Storey } from '../core/types.ts';
 import { footprint, openingsAtCut } from '../solid/sections.ts';
 import { rounded } from './decimals.ts';
 import { drawDimensions, extentOf, planDimensions } from './dimensions.ts';
@@ -18,6 +20,7 @@ import {
   type Sheet,
   type SheetItem,
   type SheetLayer,
+  type SheetPath,
   TEXT_SIZES,
 } from './sheet.ts';
 import { fitPage } from './sheet-page.ts';
@@ -88,6 +91,7 @@ function drawWalls(storey: Storey, planToSheet: Affine): { cut: SheetItem[]; gap
     storey.walls.map(({ outline }) => outline),
     [...storey.secondary.map(({ outline }) => outline), ...openingsAtCut(storey)],
   );
+  const curves = storey.walls.flatMap(({ outline }) => circlesOf(outline));
   const thickness = Math.max(0, ...storey.walls.map((wall) => wall.thickness));
   const stretches = storey.gaps.map((gap) => stretchOf(gap, thickness * GAP_OVERLAP));
   const cut = stretches.length === 0 ? section : combine('difference', section, stretches);
@@ -96,11 +100,12 @@ function drawWalls(storey: Storey, planToSheet: Affine): { cut: SheetItem[]; gap
   );
   return {
     cut: cut.map((polygon, i) => ({
-      ...({ kind: 'path', style: 'wall', lines: linesOf(polygon, planToSheet), isClosed: true } as const),
+      ...({ kind: 'path', style: 'wall', ...shapeOf(polygon, planToSheet, curves), isClosed: true } as const),
       ...{ id: `wall-${i}`, data: { kind: 'wall' } },
     })),
     gaps: inferred.map(({ polygon, gap }, i) => ({
-      ...({ kind: 'path', style: 'inferred', lines: linesOf(polygon, planToSheet), isClosed: true } as const),
+      ...({ kind: 'path', style: 'inferred', ...shapeOf(polygon, planToSheet, curves) } as const),
+      isClosed: true,
       ...{ id: `gap-${i}`, data: { kind: 'gap', gap, ...placeData(storey.gaps[gap]) } },
     })),
   };
@@ -127,7 +132,7 @@ function drawSecondary(secondary: readonly SecondaryBoundary[], planToSheet: Aff
     return [
       { kind: 'path', style: 'hatch', lines, isClosed: false },
       {
-        ...({ kind: 'path', style: 'secondary', lines: linesOf(outline, planToSheet) } as const),
+        ...({ kind: 'path', style: 'secondary', ...shapeOf(outline, planToSheet) } as const),
         ...{ isClosed: true, id: `secondary-${i}`, data },
       },
     ];
@@ -141,7 +146,7 @@ function drawFurniture(furniture: readonly Furniture[], planToSheet: Affine): Sh
       ...({
         kind: 'path',
         style: 'furniture',
-        lines: linesOf(outline, planToSheet),
+        ...shapeOf(outline, planToSheet),
         isClosed: true,
       } as const),
       ...{ id: `furniture-${i}`, data: { kind: 'furniture', height: rounded(height, DATA_DIGITS), room } },
@@ -188,14 +193,40 @@ function drawLabels(storey: Storey, planToSheet: Affine, scale: number): SheetIt
   });
 }
 
-/** The rings of a polygon as drawn, in the decimals that the sheet is written with; rounded with y up, as in the plan. */
-function linesOf(polygon: Polygon, planToSheet: Affine): Float64Array[] {
-  const place = (x: number, y: number) => {
+/**
+ * The rings of a polygon as drawn, in the decimals that the sheet is written with; rounded with y up, as in the plan.
+ *
+ * @param curves circles of the plan that it may follow
+ */
+function shapeOf(
+  polygon: Polygon,
+  planToSheet: Affine,
+  curves: readonly Circle[] = circlesOf(polygon),
+): Pick<SheetPath, 'lines' | 'arcs'> {
+  const up = (x: number, y: number) => {
     const [across, down] = mapped(Float64Array.of(x, y), planToSheet);
-    return [rounded(across, SHEET_DIGITS), -rounded(down, SHEET_DIGITS)] as const;
+    return [across, -down] as const;
   };
-  const written = roundedPolygons(polygon, place).map((one) => one.rounded);
-  return ringsOf(written).map((ring) => ring.map((value, i) => (i % 2 === 0 ? value : -value)));
+  const place = (x: number, y: number) => {
+    const [across, above] = up(x, y);
+    return [rounded(across, SHEET_DIGITS), rounded(above, SHEET_DIGITS)] as const;
+  };
+  const unitsPerMetre = Math.hypot(planToSheet[0], planToSheet[1]);
+  const circles = curves.map(({ cx, cy, radius }): Circle => {
+    const [across, above] = up(cx, cy);
+    return { cx: across, cy: above, radius: radius * unitsPerMetre };
+  });
+  const written = roundedPolygons(polygon, place, { circles, metresPerUnit: 1 / unitsPerMetre });
+  const lines: Float64Array[] = [];
+  const arcs: RingArc[] = [];
+  for (const { rounded: piece } of written) {
+    for (const arc of piece.arcs ?? []) {
+      const [x, y] = arc.centre;
+      arcs.push({ ...arc, ring: lines.length + arc.ring, centre: [x, -y] });
+    }
+    for (const ring of ringsOf([piece])) lines.push(ring.map((value, i) => (i % 2 === 0 ? value : -value)));
+  }
+  return arcs.length > 0 ? { lines, arcs } : { lines };
 }
 
 function isWiderThanDeep(outline: Polygon): boolean {

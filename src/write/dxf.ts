@@ -1,6 +1,8 @@
+import { circlesOf } from '../core/geometry/ring-arcs.ts';
 import { ringsOf } from '../core/geometry/rings.ts';
-import { type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
+import { circlesIn, type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
 import type { FrameUnit, Polygon, Storey } from '../core/types.ts';
+import { arcStrokes } from './arc-strokes.ts';
 import { decimal, rounded } from './decimals.ts';
 import { writeDxfObjects, writeDxfTables } from './dxf-tables.ts';
 import { DxfTags, type Extent } from './dxf-tags.ts';
@@ -11,6 +13,9 @@ import { roundedPolygons } from './rounded-polygons.ts';
 const INSERT_UNITS: Record<FrameUnit, number> = { m: 6, cm: 5, mm: 4, ft: 2, 'us-ft': 21, px: 0, custom: 0 };
 /** Height of room names, m. */
 const TEXT_HEIGHT = 0.2;
+
+/** Decimals of bulges: 0.1 mm in the middle of an arc of a kilometre. */
+const BULGE_DIGITS = 8;
 
 /** Dashes of inferred lines, m: the sheet's 3 mm at 1:100. */
 const DASH = 0.3;
@@ -31,8 +36,8 @@ type LayerName = (typeof DXF_LAYERS)[number]['name'];
 const ON_REQUEST: LayerName = 'A-FURN';
 
 /**
- * Writes plan.dxf: an AutoCAD 2000 drawing of closed polylines on named layers, z = 0, in source units and
- * coordinates, so it lies where the scan lies.
+ * Writes plan.dxf: an AutoCAD 2000 drawing of closed polylines on named layers, curved walls as arcs, z = 0, in source
+ * units and coordinates, so it lies where the scan lies.
  */
 export function writeDxf({ plan }: Product, storey: number): string {
   const to = sourceCoordinates(plan.frame);
@@ -79,6 +84,14 @@ function drawStorey(storey: Storey, entities: Entities): void {
   for (const { outline } of storey.furniture ?? []) entities.polygon('A-FURN', outline);
 }
 
+/** A vertex as written. */
+interface PolylinePlace {
+  readonly x: string;
+  readonly y: string;
+  /** Tangent of a quarter of the angle that the arc to the next vertex turns by, counter-clockwise. */
+  readonly bulge?: string;
+}
+
 /** Collects entities and their extent, since the header that comes first needs it. */
 class Entities {
   readonly writers: ((tags: DxfTags, owner: string) => void)[] = [];
@@ -104,19 +117,35 @@ class Entities {
     const { digits } = this.#to;
     const place = (x: number, y: number) =>
       [rounded(this.#to.x(x), digits), rounded(this.#to.y(y), digits)] as const;
-    const written = roundedPolygons(polygon, place);
-    for (const ring of ringsOf(written.map((one) => one.rounded))) {
-      for (let i = 0; i < ring.length; i += 2) this.#include(ring[i], ring[i + 1]);
-      this.#polyline(
-        layer,
-        Array.from(ring, (value) => decimal(value, digits)),
-        true,
-      );
+    const metresPerUnit = 1 / this.#unitsPerMetre;
+    const circles = circlesIn(this.#to, metresPerUnit, circlesOf(polygon));
+    for (const written of roundedPolygons(polygon, place, { circles, metresPerUnit })) {
+      const { arcs = [] } = written.rounded;
+      ringsOf([written.rounded]).forEach((ring, k) => {
+        for (let i = 0; i < ring.length; i += 2) this.#include(ring[i], ring[i + 1]);
+        const strokes = arcStrokes(
+          ring,
+          arcs.filter((arc) => arc.ring === k),
+        );
+        this.#polyline(
+          layer,
+          strokes.map(({ x, y, turn }) => ({
+            x: decimal(x, digits),
+            y: decimal(y, digits),
+            ...(turn !== 0 && { bulge: decimal(Math.tan(turn / 4), BULGE_DIGITS) }),
+          })),
+          true,
+        );
+      });
     }
   }
 
   line(layer: LayerName, from: readonly [number, number], to: readonly [number, number]): void {
-    this.#polyline(layer, [...this.#place(...from), ...this.#place(...to)], false);
+    const ends = [from, to].map((end) => {
+      const [x, y] = this.#place(...end);
+      return { x, y };
+    });
+    this.#polyline(layer, ends, false);
   }
 
   text(layer: LayerName, text: string, { outer }: Polygon): void {
@@ -131,18 +160,15 @@ class Entities {
     });
   }
 
-  #polyline(layer: LayerName, places: readonly string[], isClosed: boolean): void {
+  #polyline(layer: LayerName, places: readonly PolylinePlace[], isClosed: boolean): void {
     this.layers.add(layer);
     this.writers.push((tags, owner) => {
       tags.entity('LWPOLYLINE', owner, layer);
-      tags.add(
-        [100, 'AcDbPolyline'],
-        [90, places.length / 2],
-        [70, isClosed ? 1 : 0],
-        [43, '0.0'],
-        [38, '0.0'],
-      );
-      for (let i = 0; i < places.length; i += 2) tags.add([10, places[i]], [20, places[i + 1]]);
+      tags.add([100, 'AcDbPolyline'], [90, places.length], [70, isClosed ? 1 : 0], [43, '0.0'], [38, '0.0']);
+      for (const { x, y, bulge } of places) {
+        tags.add([10, x], [20, y]);
+        if (bulge !== undefined) tags.add([42, bulge]);
+      }
     });
   }
 

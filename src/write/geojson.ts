@@ -1,13 +1,17 @@
 import { areaOf } from '../core/geometry/areas.ts';
+import { circlesOf } from '../core/geometry/ring-arcs.ts';
 import { ringsOf } from '../core/geometry/rings.ts';
-import { type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
+import { circlesIn, type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
 import type { Opening, Polygon, Ring, Storey } from '../core/types.ts';
+import { arcStart, arcTurn } from './arc-strokes.ts';
 import { rounded } from './decimals.ts';
 import type { Product } from './plan-writer.ts';
 import { roundedPolygons } from './rounded-polygons.ts';
 
 /** Decimals of metres and square metres in properties. */
 const DIGITS = 4;
+/** … and of radians: 0.1 mm at 100 m. */
+const ANGLE_DIGITS = 6;
 
 type Position = readonly [number, number];
 
@@ -17,23 +21,30 @@ type Position = readonly [number, number];
  */
 export function writeGeoJson({ plan }: Product): string {
   const to = sourceCoordinates(plan.frame);
-  const features = plan.storeys.flatMap((storey) => featuresOf(storey, to));
   const { unit, metresPerUnit, crs } = plan.frame;
+  const features = plan.storeys.flatMap((storey) => featuresOf(storey, to, metresPerUnit));
   const frame = crs === undefined ? { unit, metresPerUnit } : { unit, metresPerUnit, crs };
   // A feature a line: readable, and small differences stay small.
   const lines = features.map((feature) => JSON.stringify(feature)).join(',\n');
   return `{"type":"FeatureCollection","frame":${JSON.stringify(frame)},"features":[\n${lines}\n]}\n`;
 }
 
-function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
+function featuresOf(storey: Storey, to: SourceCoordinates, metresPerUnit: number): object[] {
   const feature = (kind: string, geometry: object, properties: object) => ({
     type: 'Feature',
     geometry,
     properties: { kind, storey: storey.index, ...properties },
   });
   const areas = (kind: string, polygon: Polygon, propertiesOf: (piece: Polygon) => object) =>
-    roundedPolygons(polygon, (x, y) => position(x, y, to)).map(({ piece, rounded }) =>
-      feature(kind, { type: 'Polygon', coordinates: ringsOf([rounded]).map(closed) }, propertiesOf(piece)),
+    roundedPolygons(polygon, (x, y) => position(x, y, to), {
+      circles: circlesIn(to, metresPerUnit, circlesOf(polygon)),
+      metresPerUnit,
+    }).map(({ piece, rounded }) =>
+      feature(
+        kind,
+        { type: 'Polygon', coordinates: ringsOf([rounded]).map(closed) },
+        { ...propertiesOf(piece), ...arcsOf(rounded, to.digits) },
+      ),
     );
   const line = (...ends: readonly Opening['from'][]) => ({
     type: 'LineString',
@@ -82,6 +93,23 @@ function featuresOf(storey: Storey, to: SourceCoordinates): object[] {
       })),
     ),
   ];
+}
+
+/** Arcs by the numbers of their first and last positions in a ring, angles from the centre to these in radians. */
+function arcsOf(polygon: Polygon, digits: number): object {
+  if (!polygon.arcs) return {};
+  const rings = ringsOf([polygon]);
+  const arcs = polygon.arcs.map((arc) => {
+    const { ring, from, to, centre, radius } = arc;
+    const start = arcStart(rings[ring], arc);
+    const angles = [start, start + arcTurn(rings[ring], arc)].map((angle) => rounded(angle, ANGLE_DIGITS));
+    const [x, y] = centre;
+    return {
+      ...{ ring, from, to, centre: [rounded(x, digits), rounded(y, digits)] },
+      ...{ radius: rounded(radius, digits), angles },
+    };
+  });
+  return { arcs };
 }
 
 /** Closed as RFC 7946 §3.1.6 asks: the first position comes again at the end. */

@@ -1,6 +1,6 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { resolveOptions } from '../core/options.ts';
-import type { FloorPlan, Polygon, Ring, Storey } from '../core/types.ts';
+import type { FloorPlan, Polygon, Ring, RingArc, Storey, Vec2 } from '../core/types.ts';
 import type { Product } from './plan-writer.ts';
 
 type Json = null | boolean | number | string | readonly Json[] | { readonly [key: string]: Json };
@@ -98,10 +98,26 @@ function checkFrame(frame: JsonObject): void {
 }
 
 function readPolygon(value: Json | undefined, place: string): Polygon {
-  const { outer, holes } = asObject(value, place);
-  return {
+  const { outer, holes, arcs } = asObject(value, place);
+  const rings = {
     outer: readRing(outer, `${place}.outer`),
     holes: asList(holes, `${place}.holes`).map((hole, i) => readRing(hole, `${place}.holes[${i}]`)),
+  };
+  if (arcs === undefined) return rings;
+  const read = asList(arcs, `${place}.arcs`).map((arc, i) => readArc(arc, `${place}.arcs[${i}]`, rings));
+  return { ...rings, arcs: read };
+}
+
+function readArc(value: Json, place: string, { outer, holes }: Polygon): RingArc {
+  const { ring, from, to, centre, radius } = asObject(value, place);
+  const number = asIndex(ring, `${place}.ring`, 1 + holes.length);
+  const count = [outer, ...holes][number].length / 2;
+  return {
+    ring: number,
+    from: asIndex(from, `${place}.from`, count),
+    to: asIndex(to, `${place}.to`, count),
+    centre: readPair(centre, `${place}.centre`),
+    radius: asNumber(radius, `${place}.radius`),
   };
 }
 
@@ -111,10 +127,10 @@ function readRing(value: Json | undefined, place: string): Ring {
   return Float64Array.from(positions.flatMap((position, i) => readPair(position, `${place}[${i}]`)));
 }
 
-function readPair(value: Json | undefined, place: string): readonly number[] {
+function readPair(value: Json | undefined, place: string): Vec2 {
   const pair = asList(value, place);
   if (pair.length !== 2) throw malformed(place, 'two numbers', `${pair.length}`);
-  return pair.map((coordinate) => asNumber(coordinate, place));
+  return [asNumber(pair[0], place), asNumber(pair[1], place)];
 }
 
 function asObject(value: Json | undefined, place: string): JsonObject {
@@ -130,6 +146,13 @@ function asList(value: Json | undefined, place: string): readonly Json[] {
 function asNumber(value: Json | undefined, place: string): number {
   if (typeof value === 'number') return value;
   throw malformed(place, 'a number', typeOf(value));
+}
+
+/** A whole number below a count. */
+function asIndex(value: Json | undefined, place: string, count: number): number {
+  const index = asNumber(value, place);
+  if (Number.isInteger(index) && index >= 0 && index < count) return index;
+  throw malformed(place, `a whole number below ${count}`, `${index}`);
 }
 
 const typeOf = (value: Json | undefined): string => (value === null ? 'null' : typeof value);

@@ -1,3 +1,5 @@
+import type { Circle } from '../core/geometry/circle.ts';
+import { withArcs } from '../core/geometry/ring-arcs.ts';
 import { orientRing, pointInRing, ringsOf } from '../core/geometry/rings.ts';
 import { conflictingEdges } from '../core/geometry/simplicity.ts';
 import type { Polygon, Ring } from '../core/types.ts';
@@ -7,6 +9,12 @@ import { separatePinches } from '../solid/pinches.ts';
 const ROUNDS = 4;
 
 type Position = readonly [x: number, y: number];
+
+/** The circles that a polygon may follow, and the unit, in a file's coordinates. */
+export interface FileCurves {
+  readonly circles: readonly Circle[];
+  readonly metresPerUnit: number;
+}
 
 /** A polygon, or a piece of one, and what a file says of it. */
 export interface RoundedPolygon {
@@ -26,10 +34,12 @@ export interface RoundedPolygon {
  *
  * @param polygon metres; rings in any turn
  * @param place from plan metres to the file's rounded coordinates, keeping the turn of rings
+ * @param curves what arcs may be told of
  */
 export function roundedPolygons(
   polygon: Polygon,
   place: (x: number, y: number) => Position,
+  { circles, metresPerUnit }: FileCurves = { circles: [], metresPerUnit: 1 },
 ): RoundedPolygon[] {
   const done: RoundedPolygon[] = [];
   let waiting = [polygon];
@@ -37,7 +47,8 @@ export function roundedPolygons(
     const unsound: Polygon[] = [];
     for (const piece of waiting) {
       const rounded = roundPolygon(piece, place);
-      if (rounded !== null && isSound(rounded)) done.push({ piece, rounded });
+      if (rounded !== null && isSound(rounded))
+        done.push({ piece, rounded: withArcs(rounded, circles, metresPerUnit) });
       else if (rounded !== null) unsound.push(piece);
     }
     waiting = unsound.flatMap((piece) => separatePinches([piece], 2 ** round));

@@ -1,3 +1,5 @@
+import type { RingArc } from '../core/types.ts';
+
 /** A numeric plane map in the order of SVG's matrix(): x' = a·x + c·y + e, y' = b·x + d·y + f. */
 export type Affine = readonly [a: number, b: number, c: number, d: number, e: number, f: number];
 
@@ -85,6 +87,8 @@ export interface SheetPath {
   readonly style: keyof typeof LINE_STYLES;
   /** x, y a vertex, mm, y down. */
   readonly lines: readonly Float64Array[];
+  /** Arcs of the lines, which are rings; `ring` is the number of the line. */
+  readonly arcs?: readonly RingArc[];
   readonly isClosed: boolean;
   readonly id?: string;
   /** Facts for scripts; keys in kebab-case. */

@@ -1,3 +1,5 @@
+import type { RingArc } from '../core/types.ts';
+import { arcStrokes } from './arc-strokes.ts';
 import { decimal } from './decimals.ts';
 import { drawSheet } from './draw-sheet.ts';
 import { frameFacts } from './frame-json.ts';
@@ -76,13 +78,21 @@ function itemLine(item: SheetItem): string {
   return `<path${attributes({ d: dots.join(''), fill: 'none', ...look })}/>`;
 }
 
-function pathLine({ style, lines, isClosed, id, data = {} }: SheetPath): string {
+function pathLine({ style, lines, arcs = [], isClosed, id, data = {} }: SheetPath): string {
   const look: LineStyle = LINE_STYLES[style];
   const facts = Object.fromEntries(Object.entries(data).map(([key, value]) => [`data-${key}`, value]));
   return `<path${attributes({
     id,
     ...facts,
-    d: lines.map((line) => pathData(line, isClosed)).join(''),
+    d: lines
+      .map((line, k) =>
+        pathData(
+          line,
+          arcs.filter(({ ring }) => ring === k),
+          isClosed,
+        ),
+      )
+      .join(''),
     fill: look.isFilled ? 'currentColor' : 'none',
     'fill-rule': look.isFilled ? 'evenodd' : undefined,
     stroke: 'currentColor',
@@ -105,10 +115,22 @@ function textLine({ size, x, y, text, anchor, isUpright, id }: SheetText): strin
   })}>${escapeXml(text)}</text>`;
 }
 
-function pathData(line: Float64Array, isClosed: boolean): string {
+function pathData(line: Float64Array, arcs: readonly RingArc[], isClosed: boolean): string {
+  if (arcs.length > 0) return roundPathData(line, arcs);
   let d = '';
   for (let i = 0; i < line.length; i += 2) d += `${i === 0 ? 'M' : 'L'}${mm(line[i])} ${mm(line[i + 1])}`;
   return isClosed ? `${d}Z` : d;
+}
+
+/** A closed line with its arcs as arcs: radii, no turn of the ellipse, the shorter way, clockwise or not. */
+function roundPathData(line: Float64Array, arcs: readonly RingArc[]): string {
+  const strokes = arcStrokes(line, arcs);
+  const ways = strokes.map(({ turn, radius }, i) => {
+    const { x, y } = strokes[(i + 1) % strokes.length];
+    const to = `${mm(x)} ${mm(y)}`;
+    return turn === 0 ? `L${to}` : `A${mm(radius)} ${mm(radius)} 0 0 ${turn > 0 ? 1 : 0} ${to}`;
+  });
+  return `M${mm(strokes[0].x)} ${mm(strokes[0].y)}${ways.join('')}Z`;
 }
 
 const mm = (value: number): string => decimal(value, SHEET_DIGITS);

@@ -1,3 +1,4 @@
+import { withArcs } from '../geometry/ring-arcs.ts';
 import { centroid, perimeter } from '../geometry/rings.ts';
 import { medianOf } from '../robust-scale.ts';
 import type {
@@ -78,14 +79,14 @@ export function planStorey(
 ): StoreyPlan {
   const columns = heightColumns(cloud, kept, heights);
   const ceiling = localCeiling(columns);
-  const { faces, rooms: found } = findRooms(cloud, columns, ceiling);
-  const outlines = inReadingOrder(found.map(({ outline }) => outline));
+  const { faces, curves, rooms: found } = findRooms(cloud, columns, ceiling);
+  const outlines = inReadingOrder(found.map(({ outline }) => withArcs(outline, curves)));
   const noise = faces.length > 0 ? medianOf(Float64Array.from(faces, (face) => face.noise)) : USUAL_NOISE;
   const site: Site = { cloud, columns, noise, height: heights.ceiling - heights.floor };
   const edges = edgesOf(outlines);
   const pairs = pairFaces(edges);
   const thickest = pairs.reduce((most, { thickness }) => Math.max(most, thickness), USUAL_INNER);
-  const primary = primaryOutline(outlines, thickest);
+  const primary = primaryOutline(outlines, thickest).map((outline) => withArcs(outline, curves));
   const inner = pairs.map((pair) => lookIntoInner(site, pair));
   const outer = edgesOf(primary).map((edge) => lookIntoOuter(site, edge));
   const unseen = edges.map((edge) => unseenOf(site, edge, [...inner, ...outer]));

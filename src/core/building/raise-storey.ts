@@ -4,6 +4,7 @@ import type { Opening, Storey, Wall } from '../types.ts';
 import { placeOpening } from './openings/find-openings.ts';
 import type { StoreyPlan } from './plan-storey.ts';
 import { outerWalls } from './walls/outer-walls.ts';
+import { sidesOf } from './walls/wall-sides.ts';
 
 /** Reveals shallower than this are a window frame's, m. */
 const LEAST_REVEAL = 0.1;
@@ -37,18 +38,25 @@ function outerShell(
   { primary, outer }: StoreyPlan,
   usualOuter: number,
 ): { walls: Wall[]; openings: Opening[] } {
-  const reveals = outer.map(({ found }) =>
-    Float64Array.from(found.map(({ reveal }) => reveal).filter((reveal) => reveal > LEAST_REVEAL)),
+  const sides = sidesOf(primary);
+  const reveals = sides.map(({ edges }) =>
+    Float64Array.from(
+      edges.flatMap((edge) =>
+        outer[edge].found.map(({ reveal }) => reveal).filter((reveal) => reveal > LEAST_REVEAL),
+      ),
+    ),
   );
   const all = Float64Array.from(reveals.flatMap((own) => [...own]));
   const usual = all.length > 0 ? medianOf(all) : usualOuter;
   const thicknesses = reveals.map((own) => (own.length > 0 ? medianOf(own) : usual));
-  const walls = outerWalls(primary, thicknesses).map(({ edge, ...wall }): Wall => {
-    const isKnown = reveals[edge].length > 0;
+  const walls = outerWalls(primary, thicknesses).map(({ side, ...wall }): Wall => {
+    const isKnown = reveals[side].length > 0;
     return { ...wall, confidence: 1, ...(!isKnown && { isThicknessInferred: true }) };
   });
-  const openings = outer.flatMap(({ stretch, found }, i) =>
-    found.map((hole) => placeOpening(hole, stretch, thicknesses[i] / 2)),
+  const openings = sides.flatMap(({ edges }, i) =>
+    edges.flatMap((edge) =>
+      outer[edge].found.map((hole) => placeOpening(hole, outer[edge].stretch, thicknesses[i] / 2)),
+    ),
   );
   return { walls, openings };
 }

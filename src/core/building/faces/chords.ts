@@ -1,3 +1,4 @@
+import { chordTurn } from '../../geometry/ring-arcs.ts';
 import type { HeightColumns } from '../columns/height-columns.ts';
 import { type Face, pointOn } from './face.ts';
 import type { CurvedFace } from './fit-arc.ts';
@@ -5,9 +6,11 @@ import type { CurvedFace } from './fit-arc.ts';
 /** Chords turn by no more than this at a vertex, radians: a curve is drawn in steps below 5°. */
 const STEP = (4 * Math.PI) / 180;
 /** A curve smaller than this is a column's or furniture's, m. */
-const SMALLEST_RADIUS = 0.6;
-/** A curve is drawn on past its ends by so much, m, to meet the walls it runs into. */
+export const SMALLEST_RADIUS = 0.6;
+/** A curve is drawn on past its ends by so much, m, to meet the walls it runs into … */
 const OVERLAP = 0.4;
+/** … and one that is a wall for sure by as much as this, or half of it: furniture hides many a corner. */
+const SURE_OVERLAP = 2.5;
 
 /** The chords of each curved face: short straight faces, end to end, which may meet others past both ends of the curve. */
 export function chordsOf(columns: HeightColumns, curved: readonly CurvedFace[]): Face[][] {
@@ -16,10 +19,13 @@ export function chordsOf(columns: HeightColumns, curved: readonly CurvedFace[]):
 
 function chordsOfArc({ centres }: HeightColumns, arc: CurvedFace): Face[] {
   const { cx, cy, radius, noise } = arc;
-  const overlap = Math.min(OVERLAP / radius, Math.PI / 8);
+  const overlap = arc.isSure
+    ? Math.min(SURE_OVERLAP / radius, (arc.to - arc.from) / 2)
+    : Math.min(OVERLAP / radius, Math.PI / 8);
   const isWhole = arc.to - arc.from > 2 * Math.PI - 2 * overlap;
   const [from, to] = isWhole ? [arc.from, arc.from + 2 * Math.PI] : [arc.from - overlap, arc.to + overlap];
-  const count = Math.ceil((to - from) / STEP);
+  const step = arc.isSure ? Math.min(STEP, chordTurn(radius)) : STEP;
+  const count = Math.ceil((to - from) / step);
   const turn = (to - from) / count;
   const members: number[][] = Array.from({ length: count }, () => []);
   for (const c of arc.members) {
@@ -42,6 +48,7 @@ function chordsOfArc({ centres }: HeightColumns, arc: CurvedFace): Face[] {
       noise,
       support: own.length,
       members: own,
+      ...(arc.isSure && { arc }),
     };
   });
 }

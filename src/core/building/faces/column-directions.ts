@@ -114,3 +114,9 @@ export function turnBetween(a: number, b: number): number {
   const turn = Math.abs(a - b) % Math.PI;
   return Math.min(turn, Math.PI - turn);
 }
+
+/** Turn from one line to another, −π/2 to π/2, from the directions of their normals. */
+export function turnFrom(a: number, b: number): number {
+  const turn = b - a;
+  return turn - Math.PI * Math.round(turn / Math.PI);
+}

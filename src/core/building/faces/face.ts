@@ -1,3 +1,4 @@
+import type { Circle } from '../../geometry/circle.ts';
 import type { PointCloud } from '../../types.ts';
 import type { HeightColumns } from '../columns/height-columns.ts';
 import type { LocalCeiling } from '../columns/local-ceiling.ts';
@@ -19,6 +20,8 @@ export interface Face extends Line {
   readonly noise: number;
   /** Points that the fit rests on. */
   readonly support: number;
+  /** The curved wall that it is a chord of. */
+  readonly arc?: Circle;
 }
 
 /** The storey that faces stand in. */

@@ -1,4 +1,5 @@
 import { Moments } from '../../geometry/moments.ts';
+import type { PointCloud } from '../../types.ts';
 import type { HeightColumns } from '../columns/height-columns.ts';
 import { wallColumns } from '../columns/wall-columns.ts';
 import { columnDirections } from './column-directions.ts';
@@ -7,6 +8,7 @@ import { type CurvedFace, fitArc } from './fit-arc.ts';
 import { fitLine, reachOf } from './fit-line.ts';
 import { type Course, type FreeColumns, LONGEST_BREAK, takeAcross } from './free-columns.ts';
 import { growArc } from './grow-arc.ts';
+import { arcsOverLines, isChord, wallArc } from './wall-arcs.ts';
 
 /** A column whose own direction leaves the line by more than this, radians, belongs to another. */
 const MOST_TURN = (20 * Math.PI) / 180;
@@ -40,7 +42,7 @@ export interface FoundFaces {
  * Lines grow from the columns that make the straightest lines with their neighbours: what follows along a line joins, the
  * line is fitted anew and grows on, at most by its own length at a time, so that it never leaves its wall for the other
  * face. Then the line is fitted robustly to the points. What lies in no long
- * line may lie in an arc, and then in a short line. O(columns · log columns).
+ * line, or better in an arc than there, may lie in an arc, and then in a short line. O(columns · log columns).
  */
 export function findFaces({ cloud, columns, ceiling }: FaceSite): FoundFaces {
   const isFree = wallColumns(columns, ceiling);
@@ -63,20 +65,33 @@ export function findFaces({ cloud, columns, ceiling }: FaceSite): FoundFaces {
     }
     return grown;
   };
-  const long = growLines(SURELY_STRAIGHT);
-  const usual = usualNoise(long);
+  const longest = growLines(SURELY_STRAIGHT);
+  const usual = usualNoise(longest);
   const mostArcNoise = Math.min(MOST_ARC_NOISE, Math.max(LEAST_ARC_NOISE, ARC_NOISE_RATIO * usual));
-  const curved: CurvedFace[] = [];
-  for (const seed of seeds) {
-    const arc = isFree[seed] === 1 ? growArc(walls, seed) : null;
-    const face = arc && fitArc(cloud, columns, arc);
-    if (!face || face.noise > mostArcNoise) continue;
-    take(face.members);
-    curved.push(face);
-  }
+  const growArcs = (grow: (seed: number) => CurvedFace | null) => {
+    const grown: CurvedFace[] = [];
+    for (const seed of seeds) {
+      const arc = isFree[seed] === 1 ? grow(seed) : null;
+      if (!arc || arc.noise > mostArcNoise) continue;
+      take(arc.members);
+      grown.push(arc);
+    }
+    return grown;
+  };
+  const { arcs, lines: long } = arcsOverLines({ cloud, walls, lines: longest, usual });
+  const sure = [...arcs, ...growArcs((seed) => wallArc(cloud, walls, seed))];
+  const bent = growArcs((seed) => anyArc(cloud, walls, seed));
   const mostNoise = Math.max(LEAST_WALL_NOISE, WALL_NOISE_RATIO * usual);
-  const straight = [...long, ...growLines(SHORTEST)].filter(({ noise }) => noise <= mostNoise);
-  return { straight, curved };
+  const straight = [...long, ...growLines(SHORTEST)].filter(
+    (face) => face.noise <= mostNoise && !isChord(columns, face, sure),
+  );
+  return { straight, curved: [...sure, ...bent] };
+}
+
+/** The arc that grows from a column, be it of a wall, a column or furniture. */
+function anyArc(cloud: PointCloud, walls: FreeColumns, seed: number): CurvedFace | null {
+  const arc = growArc(walls, seed, false);
+  return arc && fitArc(cloud, walls.columns, arc);
 }
 
 /** The noise of the faces on which half of all points lie: walls, since clutter has fewer. */

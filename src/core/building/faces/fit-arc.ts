@@ -4,6 +4,7 @@ import type { HeightColumns } from '../columns/height-columns.ts';
 import { biweight, FIRST_NOISE, noiseOf, reachOfNoise } from './biweight.ts';
 
 const FIT_ROUNDS = 8;
+const CIRCLE_ROUNDS = 4;
 
 /** A run of columns along a circle; angles counter-clockwise, radians, `from` < `to`. */
 export interface Arc extends Circle {
@@ -14,6 +15,8 @@ export interface Arc extends Circle {
 
 /** An arc fitted to points. */
 export interface CurvedFace extends Arc {
+  /** Its columns tell for sure that it is a wall; others are furniture mostly. */
+  readonly isSure: boolean;
   /** Standard deviation of its points across it, m. */
   readonly noise: number;
 }
@@ -47,7 +50,46 @@ export function fitArc(cloud: PointCloud, { points, start }: HeightColumns, arc:
     radius += step[2];
     noise = noiseOf(rest, count);
   }
-  return { ...arc, cx, cy, radius, noise };
+  return { ...arc, cx, cy, radius, noise, isSure: false };
+}
+
+/** The circle nearest to columns by their hits, which least squares of squared distances draws too small. O(members). */
+export function nearestCircle(columns: HeightColumns, members: readonly number[], start: Circle): Circle {
+  const { centres, hits } = columns;
+  let { cx, cy, radius } = start;
+  for (let round = 0; round < CIRCLE_ROUNDS; round++) {
+    const normal = new Float64Array(9);
+    for (const c of members) {
+      const [dx, dy] = [centres[2 * c] - cx, centres[2 * c + 1] - cy];
+      const distance = Math.hypot(dx, dy);
+      if (distance > 0) accumulate(normal, dx / distance, dy / distance, distance - radius, hits[c]);
+    }
+    const step = solve(normal);
+    if (step === null) break;
+    cx += step[0];
+    cy += step[1];
+    radius += step[2];
+  }
+  return { cx, cy, radius };
+}
+
+/** How far columns reach around a circle: all of it but the widest gap between them. */
+export function reachAround(
+  { centres, size }: HeightColumns,
+  members: readonly number[],
+  { cx, cy, radius }: Circle,
+): Pick<Arc, 'from' | 'to'> {
+  const angles = Float64Array.from(members, (c) =>
+    Math.atan2(centres[2 * c + 1] - cy, centres[2 * c] - cx),
+  ).sort();
+  const last = angles.length - 1;
+  let [from, widest] = [angles[0], angles[0] + 2 * Math.PI - angles[last]];
+  for (let i = 0; i < last; i++) {
+    const gap = angles[i + 1] - angles[i];
+    if (gap > widest) [from, widest] = [angles[i + 1], gap];
+  }
+  const half = Math.min(size, widest * radius) / 2 / radius;
+  return { from: from - half, to: from + 2 * Math.PI - widest + half };
 }
 
 /** Sums of the normal equations for a shift of the centre along (ux, uy) and a change of radius. */

@@ -1,7 +1,8 @@
 import { type Circle, circleThrough } from '../../geometry/circle.ts';
 import { connectedColumns } from '../columns/connected-columns.ts';
-import { turnBetween } from './column-directions.ts';
-import type { Arc } from './fit-arc.ts';
+import type { HeightColumns } from '../columns/height-columns.ts';
+import { turnBetween, turnFrom } from './column-directions.ts';
+import { type Arc, nearestCircle } from './fit-arc.ts';
 import { BAND, type Course, type FreeColumns, LONGEST_BREAK, takeAcross } from './free-columns.ts';
 
 /** Reach of the first look around a column, m. */
@@ -23,12 +24,16 @@ const FEWEST = 6;
 /** Columns no farther apart than so many, either way, hang together. */
 const TOUCH = 2;
 
-/** Lets an arc grow from a column; null where none fits. */
-export function growArc(walls: FreeColumns, seed: number): Arc | null {
-  let members: readonly number[] = connectedAround(walls, seed);
+/**
+ * Lets an arc grow from a column; null where none fits.
+ *
+ * @param isWall whether only what bends as one face of a wall does is looked at, or all that bends
+ */
+export function growArc(walls: FreeColumns, seed: number, isWall: boolean): Arc | null {
+  let members: readonly number[] = connectedAround(walls, seed, isWall);
   let arc: Arc | null = null;
   for (let round = 0; round < MOST_ROUNDS; round++) {
-    const circle = circleOf(walls, members);
+    const circle = circleOf(walls, members, isWall);
     if (!circle || circle.radius < SMALLEST || circle.radius > LARGEST) return null;
     const grown = alongCircle(walls, circle, seed);
     if (grown === null) return null;
@@ -37,31 +42,44 @@ export function growArc(walls: FreeColumns, seed: number): Arc | null {
     arc = grown;
     members = grown.members;
   }
-  if (arc === null) return null;
-  const { size } = walls.columns;
-  const turn = arc.to - arc.from;
-  const sagitta = arc.radius * (1 - Math.cos(Math.min(Math.PI, turn / 2)));
-  const isFilled = arc.members.length * size >= LEAST_FILLED * turn * arc.radius;
-  return turn >= LEAST_ARC && sagitta > 2 * BAND && isFilled ? arc : null;
+  return arc !== null && isArc(walls.columns, arc) ? arc : null;
 }
 
-function circleOf({ columns }: FreeColumns, members: readonly number[]) {
+/** Whether columns follow a circle closely, far enough around for it to be no line. */
+export function isArc({ size }: HeightColumns, { from, to, radius, members }: Arc): boolean {
+  if (radius < SMALLEST || radius > LARGEST) return false;
+  const turn = to - from;
+  const sagitta = radius * (1 - Math.cos(Math.min(Math.PI, turn / 2)));
+  const isFilled = members.length * size >= LEAST_FILLED * turn * radius;
+  return turn >= LEAST_ARC && sagitta > 2 * BAND && isFilled;
+}
+
+function circleOf({ columns }: FreeColumns, members: readonly number[], isWall: boolean): Circle | null {
   if (members.length < FEWEST) return null;
   const { centres, hits } = columns;
-  return circleThrough(
+  const first = circleThrough(
     members.flatMap((c) => [centres[2 * c], centres[2 * c + 1]]),
     members.map((c) => hits[c]),
   );
+  return first && isWall ? nearestCircle(columns, members, first) : first;
 }
 
-/** Free columns that hang together with one, near it and not turned far from it. */
-function connectedAround({ columns, angle, isFree }: FreeColumns, seed: number): number[] {
+/**
+ * Free columns that hang together with one, near it and not turned far from it; of a wall's face, those whose directions are
+ * of one circle with it.
+ *
+ * A chord leaves a circle by half the turn between its ends, whatever the radius: so the other face of a wall is told apart.
+ */
+function connectedAround({ columns, angle, isFree }: FreeColumns, seed: number, isWall: boolean): number[] {
   const { centres } = columns;
+  const [nx, ny] = [Math.cos(angle[seed]), Math.sin(angle[seed])];
   const seen = new Set([seed]);
   return connectedColumns(columns, seed, TOUCH, (c) => {
     if (isFree[c] === 0 || seen.has(c)) return false;
-    const away = Math.hypot(centres[2 * c] - centres[2 * seed], centres[2 * c + 1] - centres[2 * seed + 1]);
-    if (away > FIRST_REACH || !(turnBetween(angle[c], angle[seed]) <= FIRST_TURN)) return false;
+    const [dx, dy] = [centres[2 * c] - centres[2 * seed], centres[2 * c + 1] - centres[2 * seed + 1]];
+    if (Math.hypot(dx, dy) > FIRST_REACH || !(turnBetween(angle[c], angle[seed]) <= FIRST_TURN)) return false;
+    const off = dx * nx + dy * ny + (dy * nx - dx * ny) * Math.tan(turnFrom(angle[seed], angle[c]) / 2);
+    if (isWall && Math.abs(off) > BAND) return false;
     seen.add(c);
     return true;
   });

@@ -8,6 +8,7 @@ import { type FaceSupport, supportAlong, WALL_SHARE } from '../faces/face-suppor
 import { findFaces } from '../faces/find-faces.ts';
 import { settleFaces } from '../faces/settle-faces.ts';
 import { type Arrangement, arrange } from './arrangement.ts';
+import { endedAtWalls, withCurves } from './curved-walls.ts';
 import { NO_LINE, type Segment } from './cut-segments.ts';
 import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
 import { labelSpace } from './label-space.ts';
@@ -56,9 +57,11 @@ function wallFaces(site: FaceSite): WallFaces {
     return standsAsWall(supports) ? { faces: group, supports } : null;
   };
   const lines = settleFaces(cloud, columns, straight).map((face) => [{ ...face, reach: REACH }]);
-  const curves = chordsOf(columns, curved).map((chords) => chords.map((face) => ({ ...face, reach: 0 })));
   const none: WallFaces = { faces: [], supports: [] };
-  return [...lines, ...curves].reduce((all, group) => joined(all, stands(group) ?? none), none);
+  const walls = lines.reduce((all, group) => joined(all, stands(group) ?? none), none);
+  const curves = chordsOf(columns, curved).map((chords) => chords.map((face) => ({ ...face, reach: 0 })));
+  const ended = curves.map((chords) => (chords[0]?.arc ? endedAtWalls(chords, walls) : chords));
+  return ended.reduce((all, group) => joined(all, stands(group) ?? none), walls);
 }
 
 /** Whether a face stands as a wall where it was seen. */
@@ -86,9 +89,12 @@ function subdivide({ faces, supports }: WallFaces, columns: HeightColumns, seen:
   const ties = faces.flatMap((face, line) => (face.reach === 0 ? [{ ...tieOf(face), line }] : []));
   const ends = wallEnds({ faces, supports }, seen);
   const arrangement = arrange([...segments, ...ties, ...ends]);
-  const support = edgeSupport(arrangement, faces, takenSupport(faces, supports, seen));
+  const taken = withCurves(faces, takenSupport(faces, supports, seen), seen);
+  const support = edgeSupport(arrangement, faces, taken);
   const space = labelSpace(arrangement, columns, seen, support);
-  return { faces, arrangement, support, space, rooms: traceRooms(arrangement, space.isRoom, support) };
+  const curves = [...new Set(faces.flatMap(({ arc }) => arc ?? []))];
+  const rooms = traceRooms(arrangement, space.isRoom, support, curves);
+  return { faces, arrangement, support, space, curves, rooms };
 }
 
 function segmentOf(face: WallFace, line: number): Segment {

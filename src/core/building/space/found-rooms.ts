@@ -1,3 +1,4 @@
+import type { Circle } from '../../geometry/circle.ts';
 import type { Face } from '../faces/face.ts';
 import type { FaceSupport } from '../faces/face-support.ts';
 import type { Arrangement } from './arrangement.ts';
@@ -20,5 +21,7 @@ export interface FoundRooms {
   /** Share of wall along each edge, 0 to 1. */
   readonly support: Float64Array;
   readonly space: Space;
+  /** Circles that curved walls follow. */
+  readonly curves: readonly Circle[];
   readonly rooms: readonly RoomFaces[];
 }

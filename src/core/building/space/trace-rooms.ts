@@ -1,4 +1,6 @@
 import { areaOf, combine } from '../../geometry/areas.ts';
+import type { Circle } from '../../geometry/circle.ts';
+import { placedOnArcs } from '../../geometry/ring-arcs.ts';
 import { perimeter, polygonArea, signedArea } from '../../geometry/rings.ts';
 import type { Polygon, Ring } from '../../types.ts';
 import { rootOf, separateSets, unite } from '../../union-find.ts';
@@ -23,8 +25,17 @@ export interface RoomFaces {
   readonly areaM2: number;
 }
 
-/** Joins room faces that no wall parts, and draws a ring around each group. */
-export function traceRooms(arrangement: Arrangement, isRoom: Uint8Array, support: Float64Array): RoomFaces[] {
+/**
+ * Joins room faces that no wall parts, and draws a ring around each group.
+ *
+ * @param curves circles that curved walls follow
+ */
+export function traceRooms(
+  arrangement: Arrangement,
+  isRoom: Uint8Array,
+  support: Float64Array,
+  curves: readonly Circle[],
+): RoomFaces[] {
   const group = groupFaces(arrangement, isRoom, support);
   const members = new Map<number, number[]>();
   group.forEach((g, f) => {
@@ -34,7 +45,7 @@ export function traceRooms(arrangement: Arrangement, isRoom: Uint8Array, support
     else members.set(g, [f]);
   });
   const rooms = [...members].flatMap(([g, faces]) => {
-    const rings = outlineOf(arrangement, group, g, faces);
+    const rings = outlineOf(arrangement, group, g, faces).map((ring) => placedOnArcs(ring, curves));
     const outer = rings
       .filter((ring) => signedArea(ring) > 0)
       .sort((a, b) => signedArea(b) - signedArea(a))[0];

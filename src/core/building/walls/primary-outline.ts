@@ -23,13 +23,17 @@ export function primaryOutline(rooms: readonly Polygon[], thickest: number): Pol
   }));
 }
 
-/** A ring without vertices that lie on the way from their neighbour to the next, or all but so. */
+/** A ring without vertices that lie on the way from their neighbour to the next, or all but so: the straightest goes first. */
 export function withoutDebris(ring: Float64Array): Float64Array {
   let current = ring;
-  for (let i = 0; i < current.length && current.length > 8; ) {
-    if (asideOf(current, i) < STRAIGHT)
-      current = Float64Array.from([...current.subarray(0, i), ...current.subarray(i + 2)]);
-    else i += 2;
+  while (current.length > 8) {
+    let [at, least] = [0, Infinity];
+    for (let i = 0; i < current.length; i += 2) {
+      const aside = asideOf(current, i);
+      if (aside < least) [at, least] = [i, aside];
+    }
+    if (least >= STRAIGHT) break;
+    current = Float64Array.from([...current.subarray(0, at), ...current.subarray(at + 2)]);
   }
   return current;
 }

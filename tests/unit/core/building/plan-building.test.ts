@@ -7,6 +7,7 @@ import {
 } from '../../../../fixtures/simulator/layouts.ts';
 import { createStrokeTest } from '../../../../src/cli/canvas-stroke.ts';
 import { areaOf, combine } from '../../../../src/core/geometry/areas.ts';
+import { ON_ARC } from '../../../../src/core/geometry/ring-arcs.ts';
 import { isSimpleRing } from '../../../../src/core/geometry/simplicity.ts';
 import { distanceToRing } from '../../../../src/core/secondary/structure.ts';
 import type { FloorPlan, Polygon, Solid, Storey } from '../../../../src/core/types.ts';
@@ -105,15 +106,37 @@ it('a house has a plan a storey, with stretches nobody saw by room', async () =>
   }
 });
 
-it('a curved wall is a fine polygon on its arc', async () => {
+it('a curved wall is a fine polygon on its arc, and one wall', async () => {
   const { plan, measures } = await make({ name: 'hall', building: roundHallBuilding(44) });
   expect(measures.roomF1).toBe(1);
   expect(measures.footprintIou).toBeGreaterThan(0.99);
   expect(measures.faceMedianMm).toBeLessThan(5);
-  expect(Math.max(...plan.storeys[0].rooms.map(({ outline }) => outline.outer.length / 2))).toBeGreaterThan(
-    15,
-  );
+  const { rooms, walls, primary } = plan.storeys[0];
+  const outlines = [...rooms, ...walls].map(({ outline }) => outline);
+  for (const polygon of [...outlines, ...primary]) expectOnArcs(polygon);
+  const [hall, ...others] = rooms.filter(({ outline }) => outline.arcs);
+  expect(others).toHaveLength(0);
+  expect(hall.outline.arcs).toHaveLength(1);
+  const curved = walls.filter(({ outline }) => outline.arcs);
+  expect(curved).toHaveLength(1);
+  const radii = curved[0].outline.arcs!.map(({ radius }) => radius).sort((a, b) => a - b);
+  expect(radii[1] - radii[0]).toBeCloseTo(curved[0].thickness, 9);
 });
+
+/** Every vertex said to be on an arc is. */
+function expectOnArcs({ outer, holes, arcs = [] }: Polygon): void {
+  for (const { ring, from, to, centre, radius } of arcs) {
+    const xy = [outer, ...holes][ring];
+    const n = xy.length / 2;
+    const count = from === to ? n : (to - from + n) % n;
+    expect(count).toBeGreaterThan(1);
+    for (let k = 0; k <= count; k++) {
+      const i = (from + k) % n;
+      const off = Math.hypot(xy[2 * i] - centre[0], xy[2 * i + 1] - centre[1]) - radius;
+      expect(Math.abs(off)).toBeLessThanOrEqual(ON_ARC);
+    }
+  }
+}
 
 it('a column is a structure, not a room', async () => {
   const { plan, measures } = await make({ name: 'column', building: columnRoomBuilding(45, 'round') });

@@ -32,7 +32,7 @@ it('spikes go, valid areas stay', () => {
 
 it('outer walls meet in mitres', () => {
   const walls = outerWalls([area(0, 0, 4, 0, 4, 3, 0, 3)], [0.3, 0.4, 0.3, 0.4]);
-  expect(walls.map(({ edge }) => edge)).toEqual([0, 1, 2, 3]);
+  expect(walls.map(({ side }) => side)).toEqual([0, 1, 2, 3]);
   expect(areaOf(walls.map(({ outline }) => outline))).toBeCloseTo(4.8 * 3.6 - 12, 6);
 });
 
