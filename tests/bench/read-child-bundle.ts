@@ -16,7 +16,9 @@ export async function bundleChild(): Promise<string> {
       emptyOutDir: true,
       target: 'node20',
       minify: false,
-      rolldownOptions: { output: { entryFileNames: 'read-child.js', codeSplitting: false } },
+      rolldownOptions: {
+        output: { topLevelVar: false, entryFileNames: 'read-child.js', codeSplitting: false },
+      },
     },
   });
   return join(outDir, 'read-child.js');
