@@ -39,11 +39,19 @@ const contentSecurityPolicy: Plugin = {
   ],
 };
 
+/** Constants stay constants: as variables, which is the default, the engine reads and checks them anew in every loop. */
+const output = { topLevelVar: false };
+
 /** The static site around the element. Relative paths, so that it runs from any folder. */
 const site: UserConfig = {
   base: './',
   plugins: [contentSecurityPolicy],
-  build: { outDir: 'dist/site', target: 'es2023', license: { fileName: 'licences.md' } },
+  build: {
+    outDir: 'dist/site',
+    target: 'es2023',
+    license: { fileName: 'licences.md' },
+    rolldownOptions: { output },
+  },
 };
 
 /** The doors of the package: library, element class, registration, worker. */
@@ -64,7 +72,7 @@ const library: UserConfig = {
       },
       formats: ['es'],
     },
-    rolldownOptions: { external },
+    rolldownOptions: { external, output },
   },
 };
 
@@ -80,7 +88,7 @@ const command: UserConfig = {
     target: 'node20',
     minify: false,
     license: { fileName: 'licences-cli.md' },
-    rolldownOptions: { output: { entryFileNames: 'cli.js', codeSplitting: false } },
+    rolldownOptions: { output: { ...output, entryFileNames: 'cli.js', codeSplitting: false } },
   },
 };
 
@@ -88,6 +96,7 @@ const builds: Record<string, UserConfig> = { lib: library, cli: command };
 
 export default defineConfig(({ mode }) => ({
   ...(builds[mode] ?? site),
+  worker: { rolldownOptions: { output } },
   test: {
     include: ['tests/{unit,property,golden,accuracy,reproduction}/**/*.test.ts'],
     // Its own default leaves a core to others.

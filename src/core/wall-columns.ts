@@ -48,10 +48,7 @@ export function findWallPoints(
   const { positions } = cloud;
   const columns = columnMasks(positions, kept, low, ceiling);
   const least = wallReach * columns.steps;
-  const isWall = (i: number) => {
-    const [x, y] = [positions[3 * i], positions[3 * i + 1]];
-    return bitCount(columns.around(Math.floor(x / COLUMN), Math.floor(y / COLUMN))) >= least;
-  };
+  const isWall = (i: number) => bitCount(columns.around(positions[3 * i], positions[3 * i + 1])) >= least;
   const standing = indices.filter(isWall);
   if (standing.length < LEAST_SHARE * indices.length) {
     context.warn({
@@ -77,8 +74,8 @@ function joined(a: Uint32Array, b: Uint32Array): Uint32Array {
 
 interface Columns {
   readonly steps: number;
-  /** Steps with points in the column or one of its eight neighbours, a bit each. */
-  around(ix: number, iy: number): number;
+  /** Steps with points in the column of a place or one of its eight neighbours, a bit each. */
+  around(x: number, y: number): number;
 }
 
 function columnMasks(positions: Float32Array, kept: Uint32Array, low: number, high: number): Columns {
@@ -93,14 +90,25 @@ function columnMasks(positions: Float32Array, kept: Uint32Array, low: number, hi
     const column = table.add(ix, Math.floor(positions[3 * i + 1] / COLUMN), 0);
     masks[column] = (masks[column] ?? 0) | (1 << step);
   }
+  const wide = spread(table, masks);
   return {
     steps,
-    around(ix, iy) {
-      let mask = 0;
-      for (let dy = -1; dy <= 1; dy++) {
-        for (let dx = -1; dx <= 1; dx++) mask |= masks[table.find(ix + dx, iy + dy, 0)] ?? 0;
-      }
-      return mask;
-    },
+    around: (x, y) => wide.masks[wide.table.find(Math.floor(x / COLUMN), Math.floor(y / COLUMN), 0)] ?? 0,
   };
+}
+
+/** Gives each column's mask to its neighbours: once a column, of which there are far fewer than points. */
+function spread(columns: CellTable, own: readonly number[]): { table: CellTable; masks: readonly number[] } {
+  const table = new CellTable(2 * columns.count);
+  const masks: number[] = [];
+  for (let column = 0; column < columns.count; column++) {
+    const [ix, iy] = columns.coordinatesOf(column);
+    for (let dy = -1; dy <= 1; dy++) {
+      for (let dx = -1; dx <= 1; dx++) {
+        const near = table.add(ix + dx, iy + dy, 0);
+        masks[near] = (masks[near] ?? 0) | own[column];
+      }
+    }
+  }
+  return { table, masks };
 }

@@ -83,3 +83,15 @@ export function goOnWith(part: WholePart, error: FloorPlanError, warnings: Warni
 }
 
 const CUT_OFF = 'read/cut-off';
+
+/** Says in `warnings`, once, that a file goes on after the points that its header announces. */
+export function tellOfMore(announced: number, warnings: Warning[]): void {
+  if (warnings.some(({ code }) => code === MORE)) return;
+  warnings.push({
+    code: MORE,
+    message: `The file goes on after the ${countOf(announced, 'point')} that its header announces; what follows was not read.`,
+    hint: 'If a part of the building is missing, export the cloud again: the number in its header is wrong.',
+  });
+}
+
+const MORE = 'read/more-than-announced';

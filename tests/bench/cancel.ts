@@ -1,7 +1,7 @@
 import { execFile } from 'node:child_process';
 import { promisify } from 'node:util';
+import { bundleChild } from './child-bundle.ts';
 import { type CloudFile, cloudFile, foreignFile } from './clouds.ts';
-import { bundleChild } from './read-child-bundle.ts';
 import { cancelInPage, loadInPage, rendererMemory, withPage } from './served-page.ts';
 import type { Figure } from './table.ts';
 
@@ -19,7 +19,7 @@ const CLOUDS: readonly (readonly [string, () => Promise<CloudFile>])[] = [
 
 /** How soon reading ends after it was cancelled midway, under Node and in Chromium, and what memory stays. */
 export async function benchCancel(): Promise<readonly Figure[]> {
-  const child = await bundleChild();
+  const child = await bundleChild('read-child');
   const figures: Figure[] = [];
   for (const [name, file] of CLOUDS) {
     const cloud = await file().catch(() => null);

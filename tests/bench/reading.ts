@@ -1,9 +1,9 @@
 import { execFile } from 'node:child_process';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
+import { bundleChild } from './child-bundle.ts';
 import { type CloudFile, cacheFolder, cloudFile, foreignFile } from './clouds.ts';
 import type { ReadRun } from './read-child.ts';
-import { bundleChild } from './read-child-bundle.ts';
 import type { Figure } from './table.ts';
 
 const POINTS = 2_000_000;
@@ -52,7 +52,7 @@ const readings: readonly Reading[] = [
 
 /** Reading with thinning, beside merely reading the same bytes and beside peers, which keep every point and thin none. */
 export async function benchReading(): Promise<readonly Figure[]> {
-  const child = await bundleChild();
+  const child = await bundleChild('read-child');
   const figures: Figure[] = [];
   for (const { name, note, file, peers: others } of readings) {
     const cloud = await file().catch(() => null);

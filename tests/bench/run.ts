@@ -1,6 +1,7 @@
 /**
  * `npm run bench [-- NAME…]`: every stage by size, readers in MB/s, the paper's slice, outlines beside their peers, memory,
- * the page and cancelling; with the name `big` also 100 M points. As tables and as JSON in .cache/bench/results.json. Machines are noisy: compare figures of one run.
+ * the page and cancelling; with the name `big` also 100 M points, with `linear` the whole
+ * chain's growth to 50 M. As tables and as JSON in .cache/bench/results.json. Machines are noisy: compare figures of one run.
  */
 import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -8,6 +9,7 @@ import { benchBig } from './big.ts';
 import { benchCancel } from './cancel.ts';
 import { cacheFolder } from './clouds.ts';
 import { benchHull } from './hull.ts';
+import { benchLinear } from './linear.ts';
 import { benchMemory } from './memory.ts';
 import { benchPage } from './page.ts';
 import { benchPaperSlice } from './paper-slice.ts';
@@ -26,7 +28,7 @@ const benches: Record<string, () => Promise<readonly Figure[]>> = {
 };
 
 /** Minutes long and gigabytes large: only by name. */
-const onlyByName: Record<string, () => Promise<readonly Figure[]>> = { big: benchBig };
+const onlyByName: Record<string, () => Promise<readonly Figure[]>> = { big: benchBig, linear: benchLinear };
 const all = { ...benches, ...onlyByName };
 
 const chosen = process.argv.slice(2);

@@ -4,7 +4,7 @@ import { ByteCursor } from '../bytes/byte-cursor.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import { viewOf } from '../bytes/view-of.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
-import { goOnWith, tooFewBytes } from '../cut-off.ts';
+import { goOnWith, tellOfMore, tooFewBytes } from '../cut-off.ts';
 import { BLUE, type ColourRange, PointBuffer, RED } from '../point-buffer.ts';
 import { NUMBER_READERS, type RecordField, type RecordStream, readRecords } from '../records.ts';
 import { NUMBER_TYPE_OF, type PlyElement, type PlyProperty, type PlyType, valueBytes } from './ply-header.ts';
@@ -18,6 +18,8 @@ export interface PlyBody {
   readonly begin: number;
   readonly isLittleEndian: boolean;
   readonly colourRange: ColourRange;
+  /** No element comes after the vertices. */
+  readonly endsWithVertices: boolean;
 }
 
 /** A body on its way through a cursor. */
@@ -61,6 +63,10 @@ export async function* readBinaryPly(
   const buffer = vertexBuffer(body);
   try {
     yield* readBinaryVertices({ cursor, buffer, vertex, body, name: source.name, warnings });
+    // Less than a whole point is padding.
+    const stride = recordBytes(vertex);
+    if (body.endsWithVertices && stride !== null && (await cursor.fillNarrowly(stride)))
+      tellOfMore(vertex.count, warnings);
   } finally {
     await cursor.close();
   }

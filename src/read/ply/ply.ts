@@ -42,8 +42,9 @@ async function openPly(source: ByteSource): Promise<OpenCloud> {
     begin: header.bodyBegin,
     isLittleEndian: header.format === 'binary_little_endian',
     colourRange: colourRange(vertex, columns),
+    endsWithVertices: header.elements.slice(index + 1).every(({ count }) => count === 0),
   };
-  const rows = textPoints(header, elements, columns);
+  const rows = textPoints(header, elements, body);
   // Bare vertices leave walls empty, so where faces join them the faces are the surfaces.
   const faces = header.elements.findIndex((element, at) => at > index && vertexListOf(element) >= 0);
   assertLongEnough(source, header, header.elements.slice(0, Math.max(index, faces) + 1));
@@ -76,7 +77,11 @@ function tooManyFaces({ count }: PlyElement): Warning {
   };
 }
 
-function textPoints(header: PlyHeader, elements: readonly PlyElement[], columns: readonly number[]) {
+function textPoints(
+  header: PlyHeader,
+  elements: readonly PlyElement[],
+  { columns, colourRange, endsWithVertices }: PlyBody,
+) {
   const vertex = elements[elements.length - 1];
   const targets = vertex.properties.map(({ countType }, property) =>
     countType ? LIST : columns.indexOf(property),
@@ -88,7 +93,8 @@ function textPoints(header: PlyHeader, elements: readonly PlyElement[], columns:
     line: header.bodyLine,
     rowsBefore: elements.slice(0, -1).reduce((rows, { count }) => rows + count, 0),
     rows: vertex.count,
-    colourRange: colourRange(vertex, columns),
+    endsWithRows: endsWithVertices,
+    colourRange,
   };
 }
 

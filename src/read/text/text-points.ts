@@ -1,7 +1,7 @@
 import type { Warning } from '../../core/types.ts';
 import type { ByteSource } from '../bytes/source.ts';
 import type { PointChunk, ReadProgress } from '../cloud-reader.ts';
-import { goOnWith, tooFewRows } from '../cut-off.ts';
+import { goOnWith, tellOfMore, tooFewRows } from '../cut-off.ts';
 import { BLUE, type ColourRange, PointBuffer, RED } from '../point-buffer.ts';
 import { LastRow } from './last-row.ts';
 import { lineBlocks } from './line-blocks.ts';
@@ -21,6 +21,8 @@ export interface TextPoints {
   readonly rowsBefore?: number;
   /** Points announced; without it they go to the end of the file. */
   readonly rows?: number;
+  /** Nothing should come after them. */
+  readonly endsWithRows?: boolean;
   readonly colourRange?: ColourRange;
   /** The column of red holds the whole colour. */
   readonly packedColour?: PackedColour;
@@ -59,7 +61,11 @@ export async function* readTextPoints(
       }
       at = parser.seek(bytes, at);
     }
-    if (found === rows) break;
+    if (found < rows) continue;
+    if (!text.endsWithRows) break;
+    if (at === bytes.length) continue;
+    tellOfMore(rows, warnings);
+    break;
   }
   if (buffer.count > 0) yield buffer.take();
   const announced = rows < Infinity ? rows : undefined;

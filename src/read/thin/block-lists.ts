@@ -42,14 +42,10 @@ export class BlockLists {
   /** Opens the next page of a list whose last one is full. */
   extend(list: number): void {
     const length = this.lengthOf(list);
-    const last = this.#lasts[list];
-    if (this.#pages.links[last] < 0) {
-      // Not in one expression: adding a page may renew the array.
-      const page = this.#pages.add(length);
-      this.#pages.links[last] = page;
-    }
+    const page = this.#pages.add(length);
+    this.#pages.links[this.#lasts[list]] = page;
     this.#before[list] = length;
-    this.#open(list, this.#pages.links[last]);
+    this.#open(list, page);
   }
 
   /** Writes the records of a list to the front of `into`, which has room for them. */
@@ -63,7 +59,7 @@ export class BlockLists {
     }
   }
 
-  /** Lets go of a list's records past the first `count`, but not of their pages. */
+  /** Lets go of a list's records past the first `count`, and of their pages. */
   shorten(list: number, count: number): void {
     const { begins, ends, links } = this.#pages;
     let page = this.#firsts[list];
@@ -72,6 +68,7 @@ export class BlockLists {
       before += ends[page] - begins[page];
       page = links[page];
     }
+    this.#pages.freeAfter(page);
     this.#before[list] = before;
     this.#open(list, page);
     this.nexts[list] += count - before;

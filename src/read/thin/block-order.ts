@@ -1,6 +1,6 @@
 import type { CellBlocks } from './cell-blocks.ts';
 import { IN_BLOCK, SIDE, SIDE_BITS } from './cell-code.ts';
-import { CODE, type PointRecords } from './point-records.ts';
+import { type PointRecords, TAG_WORDS } from './point-records.ts';
 
 /** Shown records and the places they have. */
 export type Visit = (records: Uint32Array, places: Uint32Array) => void;
@@ -131,12 +131,12 @@ function placeCells(codes: Uint16Array, lines: Uint32Array, placed: Uint32Array)
 
 /** Cells that hold several points: those are sorted. @param lines the next free places */
 function placePoints(
-  { words, stride, xyz }: PointRecords,
+  { tags, stride, xyz }: PointRecords,
   listed: Uint32Array,
   lines: Uint32Array,
   placed: Uint32Array,
 ): void {
-  const codeAt = (record: number) => words[2 * stride * record + CODE];
+  const codeAt = (record: number) => tags[TAG_WORDS * record];
   listed.sort(
     (a, b) =>
       codeAt(a) - codeAt(b) ||

@@ -1,10 +1,9 @@
 import { BlockLists } from './block-lists.ts';
 import { BlockOrder, type Visit } from './block-order.ts';
 import { BlockTable } from './block-table.ts';
-import { codeOf, SIDE_BITS } from './cell-code.ts';
 import { CellContest, copyCodes } from './cell-contest.ts';
-import { type AttributeSet, CODE, type PointRecords, PRIORITY } from './point-records.ts';
-import { PointRun, RUN_POINTS } from './point-run.ts';
+import { type AttributeSet, type PointRecords, PRIORITY, TAG_WORDS } from './point-records.ts';
+import { type Places, PointRun, RUN_POINTS } from './point-run.ts';
 
 /** Points that were appended since those who lose their cell were left out, as a share of those that stayed: then it is done again. */
 const UNSEEN_SHARE = 1;
@@ -25,12 +24,6 @@ export interface BlockOptions {
   readonly has: AttributeSet;
   /** Records that will be needed at most, as far as known. */
   readonly capacity: number;
-}
-
-/** Coordinates of points, x, y, z from every `stride` on. */
-interface Places {
-  readonly xyz: Float64Array;
-  readonly stride: number;
 }
 
 /**
@@ -74,7 +67,9 @@ export class CellBlocks {
    * @param setAttributes gives these records their attributes, before any of them is moved
    */
   append(from: Places, run: PointRun, setAttributes: (records: PointRecords) => void): void {
-    this.#appendPlaces(from, run);
+    run.findCells(from, this.cell);
+    this.#takeRecords(run);
+    this.records.setPlaces(from, run);
     setAttributes(this.records);
     for (const block of this.#due) this.#settleBlock(block);
     this.#due.length = 0;
@@ -96,14 +91,14 @@ export class CellBlocks {
   *moving(other: CellBlocks): Generator<void> {
     let moved = 0;
     const { records } = this;
-    const { words, stride } = records;
+    const { tags } = records;
     const run = new PointRun();
     for (let block = 0; block < this.table.count; block++) {
       const listed = this.#list(block);
       for (let begin = 0; begin < listed.length; begin += RUN_POINTS) {
         run.count = Math.min(RUN_POINTS, listed.length - begin);
         run.points.set(listed.subarray(begin, begin + run.count));
-        for (let k = 0; k < run.count; k++) run.priorities[k] = words[2 * stride * run.points[k] + PRIORITY];
+        for (let k = 0; k < run.count; k++) run.priorities[k] = tags[TAG_WORDS * run.points[k] + PRIORITY];
         other.append(records, run, (others) => others.copyAttributes(records, run));
       }
       moved += listed.length;
@@ -128,47 +123,25 @@ export class CellBlocks {
     return length;
   }
 
-  #appendPlaces({ xyz, stride }: Places, { count, points, priorities, records }: PointRun): void {
-    const { lists, cell } = this;
-    const inverse = 1 / cell;
-    let { nexts, ends } = lists;
-    let { xyz: ownXyz, words: ownWords } = this.records;
-    const ownStride = this.records.stride;
-    let block = -1;
-    let [lastX, lastY, lastZ] = [0, 0, 0];
-    for (let k = 0; k < count; k++) {
-      const at = stride * points[k];
-      // −0 becomes 0: one place, different bits.
-      const x = xyz[at] + 0;
-      const y = xyz[at + 1] + 0;
-      const z = xyz[at + 2] + 0;
-      const ix = Math.floor(x * inverse) | 0;
-      const iy = Math.floor(y * inverse) | 0;
-      const iz = Math.floor(z * inverse) | 0;
-      // A scanner mostly stays in a block.
-      if (block < 0 || ix >> SIDE_BITS !== lastX || iy >> SIDE_BITS !== lastY || iz >> SIDE_BITS !== lastZ) {
-        lastX = ix >> SIDE_BITS;
-        lastY = iy >> SIDE_BITS;
-        lastZ = iz >> SIDE_BITS;
-        block = this.#blockAt(lastX, lastY, lastZ);
-        ({ nexts, ends } = lists);
-        ({ xyz: ownXyz, words: ownWords } = this.records);
-      }
-      let record = nexts[block];
-      if (record === ends[block]) {
-        record = this.#roomIn(block);
-        ({ xyz: ownXyz, words: ownWords } = this.records);
-      }
-      nexts[block] = record + 1;
-      records[k] = record;
-      const to = ownStride * record;
-      ownXyz[to] = x;
-      ownXyz[to + 1] = y;
-      ownXyz[to + 2] = z;
-      ownWords[2 * to + CODE] = codeOf(ix, iy, iz);
-      ownWords[2 * to + PRIORITY] = priorities[k];
+  /** Gives the points of a run a free record each, in their block. A scanner mostly stays in one. */
+  #takeRecords(run: PointRun): void {
+    const { blockX, blockY, blockZ, records } = run;
+    for (let k = 0; k < run.count; ) {
+      const block = this.#blockAt(blockX[k], blockY[k], blockZ[k]);
+      for (const end = run.endOfBlock(k); k < end; ) k = this.#fill(block, records, k, end);
     }
-    this.held += count;
+    this.held += run.count;
+  }
+
+  /** Writes free records of a block to a part of `into`, as many as its page has. Returns what follows them. */
+  #fill(block: number, into: Int32Array, begin: number, end: number): number {
+    const { lists } = this;
+    if (lists.nexts[block] === lists.ends[block]) this.#openPage(block);
+    let record = lists.nexts[block];
+    const last = Math.min(end, begin + lists.ends[block] - record);
+    for (let k = begin; k < last; k++) into[k] = record++;
+    lists.nexts[block] = record;
+    return last;
   }
 
   #blockAt(x: number, y: number, z: number): number {
@@ -177,14 +150,13 @@ export class CellBlocks {
     return block;
   }
 
-  /** The next free record of a block whose last page is full. */
-  #roomIn(block: number): number {
+  /** For a block whose last page is full. */
+  #openPage(block: number): void {
     const { lists } = this;
     const settled = lists.settled[block];
     if (lists.lengthOf(block) - settled >= Math.max(LEAST_UNSEEN, UNSEEN_SHARE * settled))
       this.#due.push(block);
     lists.extend(block);
-    return lists.nexts[block];
   }
 
   #list(block: number): Uint32Array {
@@ -204,10 +176,19 @@ export class CellBlocks {
     const kept = this.#kept.subarray(0, listed.length);
     kept.set(listed);
     const count = this.#contest.decide(this.records, kept, this.#codes);
-    // In the order of the list, so that nothing is written over that is still to be moved.
-    for (let i = 0; i < count; i++) if (kept[i] !== listed[i]) this.records.move(kept[i], listed[i]);
+    this.#closeGaps(listed, kept, count);
     this.held -= listed.length - count;
     if (count < listed.length) this.lists.shorten(block, count);
     this.lists.settled[block] = count;
+  }
+  /** Moves the last of the records kept to the places of those left out before them. */
+  #closeGaps(listed: Uint32Array, kept: Uint32Array, count: number): void {
+    let stayed = 0;
+    let moved = 0;
+    for (let i = 0; i < count; i++) {
+      if (listed[i] === kept[stayed] && stayed + moved < count) stayed++;
+      else listed[moved++] = listed[i];
+    }
+    this.records.move(kept.subarray(count - moved, count), listed, moved);
   }
 }

@@ -1,11 +1,12 @@
 import { BLOCK_CELLS } from './cell-code.ts';
-import { CODE, type PointRecords, PRIORITY } from './point-records.ts';
+import { type PointRecords, PRIORITY, TAG_WORDS } from './point-records.ts';
 
 /** Finds those of a block's points that keep their cell, by a table of its cells that fits the cache. */
 export class CellContest {
   readonly #keepsAll: boolean;
-  /** Record + 1 of a cell, or of a slot; empty between uses. */
+  /** Of a cell the place in the list of who holds it, + 1; of a slot the record, + 1. Empty between uses. */
   #cells = new Int32Array(BLOCK_CELLS);
+  #priorities = new Int32Array(0);
 
   /** @param keepsAll cells hold every distinct point, not one */
   constructor(keepsAll: boolean) {
@@ -26,30 +27,26 @@ export class CellContest {
 
   /** The lowest priority keeps a cell. */
   #leaveOutLosers(records: PointRecords, listed: Uint32Array, codes: Uint16Array): number {
-    const { words, stride } = records;
-    const step = 2 * stride;
+    const { tags } = records;
     const cells = this.#cells;
-    let lost = 0;
+    if (this.#priorities.length < listed.length) this.#priorities = new Int32Array(2 * listed.length);
+    const priorities = this.#priorities;
     for (let i = 0; i < listed.length; i++) {
-      const record = listed[i];
-      const code = words[step * record + CODE];
-      codes[i] = code;
-      const rival = cells[code] - 1;
-      if (rival >= 0) {
-        lost++;
-        const lead = words[step * record + PRIORITY] - words[step * rival + PRIORITY];
-        if (lead > 0 || (lead === 0 && !records.precedes(record, rival))) continue;
-      }
-      cells[code] = record + 1;
+      const tag = Math.imul(TAG_WORDS, listed[i]);
+      codes[i] = tags[tag];
+      priorities[i] = tags[tag + PRIORITY];
     }
-    if (lost === 0) {
-      for (let i = 0; i < listed.length; i++) cells[codes[i]] = 0;
-      return listed.length;
+    let ties = 0;
+    for (let i = 0; i < listed.length; i++) {
+      const rival = cells[codes[i]] - 1;
+      if (rival < 0 || priorities[i] < priorities[rival]) cells[codes[i]] = i + 1;
+      else if (priorities[i] === priorities[rival]) ties++;
     }
+    if (ties > 0) this.#breakTies(records, listed, codes);
     let count = 0;
     for (let i = 0; i < listed.length; i++) {
       const code = codes[i];
-      if (cells[code] !== listed[i] + 1) continue;
+      if (cells[code] !== i + 1) continue;
       cells[code] = 0;
       codes[count] = code;
       listed[count++] = listed[i];
@@ -57,13 +54,24 @@ export class CellContest {
     return count;
   }
 
+  /** Of points of one cell and priority the first by coordinates, then attributes, keeps it. */
+  #breakTies(records: PointRecords, listed: Uint32Array, codes: Uint16Array): void {
+    const cells = this.#cells;
+    const priorities = this.#priorities;
+    for (let i = 0; i < listed.length; i++) {
+      const rival = cells[codes[i]] - 1;
+      if (priorities[i] === priorities[rival] && records.precedes(listed[i], listed[rival]))
+        cells[codes[i]] = i + 1;
+    }
+  }
+
   /** The first by attributes keeps a place: a table by priority, the hash of the place. */
   #leaveOutDoubles(records: PointRecords, listed: Uint32Array): number {
-    const { words, stride } = records;
+    const { tags } = records;
     const slots = this.#slotsFor(listed.length);
     const mask = slots.length - 1;
     const slotOf = (record: number) => {
-      let slot = words[2 * stride * record + PRIORITY] & mask;
+      let slot = tags[TAG_WORDS * record + PRIORITY] & mask;
       while (slots[slot] !== 0 && records.comparePlaces(slots[slot] - 1, record) !== 0)
         slot = (slot + 1) & mask;
       return slot;
@@ -87,6 +95,6 @@ export class CellContest {
 }
 
 /** The cells of records. */
-export function copyCodes({ words, stride }: PointRecords, listed: Uint32Array, into: Uint16Array): void {
-  for (let i = 0; i < listed.length; i++) into[i] = words[2 * stride * listed[i] + CODE];
+export function copyCodes({ tags }: PointRecords, listed: Uint32Array, into: Uint16Array): void {
+  for (let i = 0; i < listed.length; i++) into[i] = tags[TAG_WORDS * listed[i]];
 }

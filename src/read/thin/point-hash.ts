@@ -1,10 +1,7 @@
-/** Odd multipliers without pattern: the digits of the golden ratio, and those of MurmurHash3 [Appleby11]. */
-const A = 0x9e3779b1;
-const B = 0x85ebca77;
-const C = 0xc2b2ae3d;
-
-/** Mask of the upper half of a float64. */
-const WITHOUT_SIGN = 0x7fffffff;
+/*
+ * The multipliers are odd and without pattern: the digits of the golden ratio, and those of MurmurHash3 [Appleby11]. They
+ * stand where they are used, as a minified bundle makes variables of constants, which an engine checks at every use.
+ */
 
 /**
  * A number that looks random but depends on nothing except the bits of a point's float64 coordinates, and neither on their
@@ -20,13 +17,13 @@ export function pointPriority(words: Int32Array, at: number): number {
 
 /** A number that scatters the places of a lattice. */
 export function placeHash(ix: number, iy: number, iz: number): number {
-  return finish(Math.imul(ix, A) + Math.imul(iy, B) + Math.imul(iz, C));
+  return finish(Math.imul(ix, 0x9e3779b1) + Math.imul(iy, 0x85ebca77) + Math.imul(iz, 0xc2b2ae3d));
 }
 
 /** Of the two halves of a float64, its sign left out; not linear, or sums of coordinates would be told apart, not places. */
 function coordinateHash(low: number, high: number): number {
-  const h = Math.imul(low, A) + Math.imul(high & WITHOUT_SIGN, B);
-  return Math.imul(h ^ (h >>> 15), C);
+  const h = Math.imul(low, 0x9e3779b1) + Math.imul(high & 0x7fffffff, 0x85ebca77);
+  return Math.imul(h ^ (h >>> 15), 0xc2b2ae3d);
 }
 
 /** The finaliser of MurmurHash3: every bit of the sum reaches every bit of the result. */

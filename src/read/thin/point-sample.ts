@@ -75,7 +75,7 @@ export class PointSample {
     for (let i = 0; i < this.count; i++) {
       if (this.#priorities[i] > this.limit) continue;
       this.#priorities[left] = this.#priorities[i];
-      this.xyz.copyWithin(3 * left, 3 * i, 3 * i + 3);
+      for (let axis = 0; axis < 3; axis++) this.xyz[3 * left + axis] = this.xyz[3 * i + axis];
       left++;
     }
     this.count = left;

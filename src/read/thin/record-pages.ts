@@ -16,6 +16,8 @@ export class RecordPages {
   ends = new Int32Array(FIRST_PAGES);
   links = new Int32Array(FIRST_PAGES);
   #used = 0;
+  /** The first of the linked pages that were given back, or −1. */
+  #free = -1;
 
   constructor(has: AttributeSet, capacity: number) {
     this.records = new PointRecords(has, capacity);
@@ -23,6 +25,25 @@ export class RecordPages {
 
   /** A page for a list that holds so many records. */
   add(held: number): number {
+    if (this.#free < 0) return this.#addNew(held);
+    const page = this.#free;
+    this.#free = this.links[page];
+    this.links[page] = -1;
+    return page;
+  }
+
+  /** Takes back the pages linked behind one. */
+  freeAfter(page: number): void {
+    const first = this.links[page];
+    if (first < 0) return;
+    let last = first;
+    while (this.links[last] >= 0) last = this.links[last];
+    this.links[last] = this.#free;
+    this.#free = first;
+    this.links[page] = -1;
+  }
+
+  #addNew(held: number): number {
     if (this.count === this.begins.length) this.#growPages();
     const page = this.count++;
     const begin = this.#used;

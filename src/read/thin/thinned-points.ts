@@ -50,8 +50,8 @@ function copyPositions({ xyz, stride }: PointRecords, records: Uint32Array, targ
   const { into, places } = target;
   const [x, y, z] = target.origin;
   for (let i = 0; i < records.length; i++) {
-    const at = stride * records[i];
-    const to = 3 * places[i];
+    const at = Math.imul(stride, records[i]);
+    const to = Math.imul(3, places[i]);
     into[to] = xyz[at] - x;
     into[to + 1] = xyz[at + 1] - y;
     into[to + 2] = xyz[at + 2] - z;

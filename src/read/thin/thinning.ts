@@ -3,7 +3,7 @@ import type { Vec3 } from '../../core/types.ts';
 import type { PointChunk } from '../cloud-reader.ts';
 import { CellBlocks } from './cell-blocks.ts';
 import type { AttributeSet } from './point-records.ts';
-import { type Box, growBox, PointRun, RUN_POINTS } from './point-run.ts';
+import { type Box, PointRun, RUN_POINTS } from './point-run.ts';
 import { PointSample } from './point-sample.ts';
 import { copyInOrder, type ThinnedPoints } from './thinned-points.ts';
 
@@ -79,12 +79,11 @@ export class Thinning {
     const run = this.#run;
     const { xyz } = chunk;
     const places = { xyz, stride: 3 };
-    const words = new Int32Array(xyz.buffer, xyz.byteOffset, 2 * xyz.length);
+    const bits = new Int32Array(xyz.buffer, xyz.byteOffset, 2 * xyz.length);
     for (let begin = 0; begin < chunk.count; begin += RUN_POINTS) {
       const end = Math.min(chunk.count, begin + RUN_POINTS);
-      run.take(chunk, words, begin, end);
+      run.take(chunk, bits, { begin, end }, this.bounds);
       this.dropped += end - begin - run.count;
-      growBox(this.bounds, xyz, run);
       this.#addToSample(xyz, run);
       this.#blocks ??= this.#makeBlocks(this.#has);
       const blocks = this.#blocks;

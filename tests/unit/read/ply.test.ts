@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { nodeSource } from '../../../src/cli/node-source.ts';
+import { PLY_FORMAT } from '../../../src/read/ply/ply.ts';
 import type { PlyProperty, PlyType } from '../../../src/read/ply/ply-header.ts';
 import { memorySource, readAll } from './memory-source.ts';
 import { type PlyContent, plyBytes } from './ply-bytes.ts';
@@ -23,6 +24,23 @@ describe.each(FORMATS)('PLY %s', (format) => {
     expect(xyz).toEqual(POINTS);
     expect(isSlice).toBe(false);
     expect(colour).toBeUndefined();
+  });
+
+  it('says that more comes than the header announces, but not of padding', async () => {
+    const whole = plyBytes([XYZ], { format });
+    const text = Buffer.from(whole).toString('latin1');
+    const fewer = Uint8Array.from(Buffer.from(text.replace('vertex 3', 'vertex 2'), 'latin1'));
+    for (const pieces of [undefined, [7], [fewer.length - 5]]) {
+      const source = memorySource(fewer, 'a.ply', pieces);
+      const cloud = await PLY_FORMAT.open(source);
+      for (const _ of [1, 2]) for await (const { count } of cloud.chunks(() => {}, 0)) expect(count).toBe(2);
+      expect(cloud.warnings).toMatchObject([
+        { code: 'read/more-than-announced', message: expect.stringContaining('2 points') },
+      ]);
+    }
+    const padded = await PLY_FORMAT.open(memorySource(Uint8Array.of(...whole, 10, 10), 'a.ply'));
+    for await (const { count } of padded.chunks(() => {}, 0)) expect(count).toBe(3);
+    expect(padded.warnings).toEqual([]);
   });
 
   it.each(['\n', '\r\n', '\r'])('takes lines that end in %j', async (lineEnd) => {
