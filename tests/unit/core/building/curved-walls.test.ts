@@ -82,7 +82,8 @@ it('a curve drawn on ends at the wall it meets', () => {
     reach: 5,
   };
   const shares = new Float64Array(40).fill(1);
-  const support = { from: -1, step: 0.05, shares, ceiling: new Float64Array(40) };
+  const isSeen = new Uint8Array(40).fill(1);
+  const support = { from: -1, step: 0.05, shares, isSeen, ceiling: new Float64Array(40) };
   const chords = [chord(0, 5), chord(1, 0), chord(2, 0), chord(3, 0)];
   const ended = endedAtWalls(chords, { faces: [wall], supports: [support] });
   expect(ended).toHaveLength(3);
