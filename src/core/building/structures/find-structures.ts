@@ -1,4 +1,6 @@
 import { combine } from '../../geometry/areas.ts';
+import { circleThrough } from '../../geometry/circle.ts';
+import { withArcs } from '../../geometry/ring-arcs.ts';
 import { boundsOf, pointInRing, signedArea } from '../../geometry/rings.ts';
 import { distanceToRing } from '../../secondary/structure.ts';
 import type { Polygon, Ring, SecondaryBoundary } from '../../types.ts';
@@ -47,7 +49,7 @@ export function findStructures(
     return candidateOf(site, rooms, pointsOf(cloud, columns, group)) ?? [];
   });
   return joinedWhereTheyMeet(site, rooms, found).map(({ outline, xy }) => ({
-    outline: { outer: outline, holes: [] },
+    outline: withOwnCircle(outline),
     operation: 'subtract',
     type: signedArea(outline) <= LARGEST_COLUMN ? 'column' : 'shaft',
     points: xy.length / 2,
@@ -126,6 +128,12 @@ function joinedWhereTheyMeet(
 
 function overlap(a: Ring, b: Ring): boolean {
   return combine('intersection', [{ outer: a, holes: [] }], [{ outer: b, holes: [] }]).length > 0;
+}
+
+/** The area of an outline; a circle tells that it is one. */
+function withOwnCircle(outer: Ring): Polygon {
+  const circle = circleThrough(outer);
+  return withArcs({ outer, holes: [] }, circle ? [circle] : []);
 }
 
 /** Whether an outline lies in one of the rooms, and nowhere at its walls. */

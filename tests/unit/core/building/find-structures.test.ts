@@ -83,6 +83,10 @@ describe('columns and shafts', () => {
     expect(found).toHaveLength(3);
     for (const ring of rings)
       expect(Math.max(...found.map((one) => overlapOf(one, ring)))).toBeGreaterThan(0.9);
+    const [round, ...others] = found.flatMap(({ outline }) => outline.arcs ?? []);
+    expect(others).toHaveLength(0);
+    expect(round).toMatchObject({ ring: 0, from: 0, to: 0 });
+    expect(Math.abs(round.radius - 0.2)).toBeLessThan(0.01);
   });
 
   it('are taken for square where one face was seen and nothing behind it', () => {
