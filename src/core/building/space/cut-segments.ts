@@ -3,6 +3,8 @@ const SAME_PLACE = 1e-5;
 
 /** Stands for nothing. */
 export const NO_LINE = -1;
+/** Stands for a return that joins two faces of a wall, seen or not. */
+export const RETURN_LINE = -2;
 
 /** A straight stretch of the plane's subdivision. */
 export interface Segment {
@@ -10,7 +12,7 @@ export interface Segment {
   readonly ay: number;
   readonly bx: number;
   readonly by: number;
-  /** What it stands for, as its maker numbers it; {@link NO_LINE} for a stroke that only cuts. */
+  /** What it stands for, as its maker numbers it; {@link NO_LINE} for a stroke that only cuts, {@link RETURN_LINE} for a return. */
   readonly line: number;
 }
 

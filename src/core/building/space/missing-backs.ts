@@ -1,9 +1,9 @@
+import type { Polygon } from '../../types.ts';
 import { type HeightColumns, hasPlane } from '../columns/height-columns.ts';
 import { alongOf, pointOn } from '../faces/face.ts';
 import { type FaceSupport, STEP, TAKEN_SHARE, WALL_SHARE } from '../faces/face-support.ts';
 import { pairFaces } from '../walls/pair-faces.ts';
 import { edgesOf } from '../walls/room-edges.ts';
-import { NO_LINE } from './cut-segments.ts';
 import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
 
 /** Thickness of an inner wall where no other tells, m: a stud wall. */
@@ -25,7 +25,7 @@ const FAR = 0.08;
  * storey's other walls.
  */
 export function missingBacks(found: FoundRooms, columns: HeightColumns): WallFaces {
-  const thickness = usualThickness(found);
+  const thickness = usualThickness(found.rooms.map(({ outline }) => outline));
   const faces: WallFace[] = [];
   const supports: FaceSupport[] = [];
   for (const [line, stretches] of sharedStretches(found)) {
@@ -55,11 +55,16 @@ export function missingBacks(found: FoundRooms, columns: HeightColumns): WallFac
   return { faces, supports };
 }
 
-function usualThickness({ rooms }: FoundRooms): number {
-  const pairs = pairFaces(edgesOf(rooms.map(({ outline }) => outline))).sort(
-    (a, b) => a.thickness - b.thickness,
-  );
-  return pairs.length > 0 ? pairs[pairs.length >> 1].thickness : USUAL_THICKNESS;
+/** The thickness that half the length of the inner walls between rooms has, or less: stubs are many, walls are long. */
+export function usualThickness(rooms: readonly Polygon[]): number {
+  const pairs = pairFaces(edgesOf(rooms));
+  pairs.sort((a, b) => a.thickness - b.thickness);
+  let rest = pairs.reduce((sum, { from, to }) => sum + to - from, 0) / 2;
+  for (const { thickness, from, to } of pairs) {
+    rest -= to - from;
+    if (rest <= 0) return thickness;
+  }
+  return USUAL_THICKNESS;
 }
 
 /** Stretches of lines along which two rooms meet at a wall. */
@@ -74,7 +79,7 @@ function sharedStretches({
   for (let e = 0; e < support.length; e++) {
     const [f, g] = [face[2 * e], face[2 * e + 1]];
     if (f < 0 || g < 0 || space.isRoom[f] === 0 || space.isRoom[g] === 0 || support[e] < WALL_SHARE) continue;
-    const line = lines[e].find((own) => own !== NO_LINE);
+    const line = lines[e].find((own) => own >= 0);
     if (line === undefined) continue;
     const ends = [origin[2 * e], origin[2 * e + 1]]
       .map((v) => alongOf(faces[line], x[v], y[v]))

@@ -1,0 +1,172 @@
+import { describe, expect, it } from 'vitest';
+import { heightColumns } from '../../../../src/core/building/columns/height-columns.ts';
+import { localCeiling } from '../../../../src/core/building/columns/local-ceiling.ts';
+import type { SeenSpace } from '../../../../src/core/building/columns/seen-space.ts';
+import type { Face } from '../../../../src/core/building/faces/face.ts';
+import { type FaceSupport, STEP, WALL_SHARE } from '../../../../src/core/building/faces/face-support.ts';
+import { findRooms } from '../../../../src/core/building/space/find-rooms.ts';
+import { usualThickness } from '../../../../src/core/building/space/missing-backs.ts';
+import { withCorners } from '../../../../src/core/building/space/wall-corners.ts';
+import type { Ring, Vec2 } from '../../../../src/core/types.ts';
+import { makeCloud } from '../made-scan.ts';
+
+/** A face along y = offset (normal up) or x = offset, seen from `from` to `to` of 10 m. */
+function wall(normal: 'x' | 'y', offset: number, from: number, to: number) {
+  const [nx, ny] = normal === 'x' ? [1, 0] : [0, 1];
+  // Places along a line run against x where its normal is y.
+  const [low, high] = normal === 'x' ? [from, to] : [-to, -from];
+  const face: Face = { nx, ny, offset, from: low, to: high, members: [], noise: 0.005, support: 100 };
+  const begin = normal === 'x' ? 0 : -10;
+  const shares = Float64Array.from({ length: Math.round(10 / STEP) }, (_, k) => {
+    const along = begin + (k + 0.5) * STEP;
+    return along > low && along < high ? 1 : 0;
+  });
+  const own: FaceSupport = {
+    from: begin,
+    step: STEP,
+    shares,
+    ceiling: new Float64Array(shares.length).fill(Number.NaN),
+  };
+  return { face, own };
+}
+
+/** How far the first wall stands once corners are taken, x or y, m. */
+function endOf(walls: ReturnType<typeof wall>[], isOpen: SeenSpace['isOpen']): number {
+  const own = walls.map((each) => each.own);
+  const none = new Uint8Array(0);
+  const seen: SeenSpace = { isSeen: none, isBetween: none, at: isOpen, isOpen };
+  const [{ from, shares }] = withCorners(
+    walls.map(({ face }) => face),
+    own,
+    own,
+    seen,
+  );
+  const stands = [...shares.keys()].filter((k) => shares[k] >= WALL_SHARE);
+  return from < 0 ? -(from + stands[0] * STEP) : from + (stands[stands.length - 1] + 1) * STEP;
+}
+
+describe('a wall that ends short of another', () => {
+  const outer = wall('x', 6, 0, 8);
+
+  it('goes on to it where nothing was seen', () => {
+    expect(endOf([wall('y', 4, 2, 5), outer], () => false)).toBeCloseTo(6, 1);
+  });
+
+  it('goes on where space was seen on one side of its line only', () => {
+    expect(endOf([wall('y', 4, 2, 5), outer], (_, y) => y < 4.02)).toBeCloseTo(6, 1);
+  });
+
+  it('ends where space goes on across its line', () => {
+    expect(endOf([wall('y', 4, 2, 5), outer], () => true)).toBeCloseTo(5, 1);
+  });
+
+  it('goes on no farther than it is known to stand', () => {
+    expect(endOf([wall('y', 4, 4.2, 5), outer], () => false)).toBeCloseTo(5, 1);
+  });
+
+  it('that meets one face of a wall does not go on to its other', () => {
+    expect(endOf([wall('y', 4, 2, 5.9), wall('x', 5.9, 0, 8), outer], () => false)).toBeCloseTo(5.9, 1);
+  });
+});
+
+const [WIDTH, DEPTH, HEIGHT, GRID] = [5, 4, 2.6, 0.025];
+
+/** Points of a room of 5 m × 4 m, but for what a box holds, and of upright faces. */
+function roomWith(solid: readonly number[], faces: readonly (readonly [Vec2, Vec2])[]) {
+  const xyz: number[] = [];
+  const [minX, minY, maxX, maxY] = solid;
+  for (let x = GRID / 2; x < WIDTH; x += GRID)
+    for (let y = GRID / 2; y < DEPTH; y += GRID)
+      if (!(x > minX && x < maxX && y > minY && y < maxY)) xyz.push(x, y, 0, x, y, HEIGHT);
+  for (const [[ax, ay], [bx, by]] of faces) {
+    const steps = Math.round(Math.hypot(bx - ax, by - ay) / GRID);
+    for (let k = 0; k < steps; k++)
+      for (let z = GRID / 2; z < HEIGHT; z += GRID)
+        xyz.push(ax + ((k + 0.5) / steps) * (bx - ax), ay + ((k + 0.5) / steps) * (by - ay), z);
+  }
+  return makeCloud(xyz);
+}
+
+function outlineOf(cloud: ReturnType<typeof makeCloud>): Ring {
+  const kept = Uint32Array.from({ length: cloud.positions.length / 3 }, (_, i) => i);
+  const columns = heightColumns(cloud, kept, { floor: 0, ceiling: HEIGHT });
+  const { rooms } = findRooms(cloud, columns, localCeiling(columns));
+  expect(rooms).toHaveLength(1);
+  return rooms[0].outline.outer;
+}
+
+function distanceTo(ring: Ring, [x, y]: Vec2): number {
+  let least = Infinity;
+  for (let i = 0; i < ring.length; i += 2) least = Math.min(least, Math.hypot(ring[i] - x, ring[i + 1] - y));
+  return least;
+}
+
+describe('a wall that steps', () => {
+  const rest: [Vec2, Vec2][] = [
+    [
+      [WIDTH, 0],
+      [WIDTH, DEPTH],
+    ],
+    [
+      [WIDTH, DEPTH],
+      [0, DEPTH],
+    ],
+    [
+      [0, DEPTH],
+      [0, 0],
+    ],
+  ];
+  const [from, to, front] = [2, 2.5, 0.3];
+
+  it('has the corners of a pilaster of which only the front was seen', () => {
+    const faces: [Vec2, Vec2][] = [
+      ...rest,
+      [
+        [0, 0],
+        [from, 0],
+      ],
+      [
+        [from, front],
+        [to, front],
+      ],
+      [
+        [to, 0],
+        [WIDTH, 0],
+      ],
+    ];
+    const ring = outlineOf(roomWith([from, 0, to, front], faces));
+    for (const corner of [
+      [from, 0],
+      [from, front],
+      [to, front],
+      [to, 0],
+    ] as const)
+      expect(distanceTo(ring, corner)).toBeLessThan(0.03);
+  });
+
+  it('has no corners where it does not', () => {
+    const ring = outlineOf(
+      roomWith(
+        [0, 0, 0, 0],
+        [
+          ...rest,
+          [
+            [0, 0],
+            [WIDTH, 0],
+          ],
+        ],
+      ),
+    );
+    expect(ring).toHaveLength(8);
+  });
+});
+
+it('the usual wall is that of the most length, not of the most pieces', () => {
+  // Below, a room as long as the storey; above, 0.1 m off it, one of 6 m, and 0.3 m off it three of 1 m.
+  const box = (minX: number, minY: number, maxX: number, maxY: number) => ({
+    outer: Float64Array.of(minX, minY, maxX, minY, maxX, maxY, minX, maxY),
+    holes: [],
+  });
+  const small = [0, 2, 4].map((x) => box(7 + x, 2.3, 8 + x, 4));
+  expect(usualThickness([box(0, 0, 12, 2), box(0, 2.1, 6, 4), ...small])).toBeCloseTo(0.1, 6);
+});
