@@ -107,7 +107,7 @@ function merged(stretches: [number, number][]): [number, number][] {
 }
 
 /** The side of a face on which nothing was seen: 1, −1, or 0 where both sides or none were. */
-function blindSide(columns: HeightColumns, face: WallFace, from: number, to: number): 1 | -1 | 0 {
+export function blindSide(columns: HeightColumns, face: WallFace, from: number, to: number): 1 | -1 | 0 {
   const seen = [1, -1].map((side) => {
     let count = 0;
     for (let along = from + STEP / 2; along < to; along += STEP) {

@@ -5,6 +5,7 @@ import { alongOf, asideOf, isParallel, pointOn } from '../faces/face.ts';
 import { type FaceSupport, WALL_SHARE } from '../faces/face-support.ts';
 import { NO_LINE, RETURN_LINE, type Segment } from './cut-segments.ts';
 import type { WallFace, WallFaces } from './found-rooms.ts';
+import { blindSide } from './missing-backs.ts';
 
 /** Thickest wall that may end, m. */
 const THICKEST = 0.6;
@@ -18,6 +19,9 @@ const LONGEST_BREAK = 0.15;
 /** A wall ends where space was seen from so far past it, m, to so far, over most of the way. */
 const PAST_FROM = 0.1;
 const PAST_TO = 0.35;
+/** The wall's body is looked for from so far before its end, m, to so far. */
+const BODY_FROM = 0.3;
+const BODY_TO = 0.05;
 /** Places along that way are so far apart, m. */
 const PLACE = 0.05;
 /** A stroke is longer than the wall is thick by this at each side, m, so that it surely meets both faces. */
@@ -48,7 +52,8 @@ export interface EndSite {
  *
  * Not taken: strokes as walls wherever a wall ends (clean corners at 5 cm .910 → .862: jags beside reveals that were seen);
  * ends by bits of the face, not by its points (.937 → .914); steps as deep as any wall (hard corners .549 → .538: sides of
- * cupboards); only on the side where neither floor nor ceiling was seen, or where no reveal was (no difference).
+ * cupboards); on whichever side a face stands (rooms of crossing-suspended-152 .88 → .80); only where no reveal was seen (no
+ * difference).
  */
 export function wallEnds({ faces, supports }: WallFaces, site: EndSite): Segment[] {
   return faces.flatMap((face, i) =>
@@ -58,7 +63,8 @@ export function wallEnds({ faces, supports }: WallFaces, site: EndSite): Segment
           const bitEnd = supports[i].from + bit * supports[i].step;
           if (!isOpenPast(face, bitEnd, way, site.seen)) return [];
           const end: WallEnd = { face, along: endByPoints(site, face, bitEnd, way), way };
-          return [1, -1].flatMap((side) => strokesFrom(end, { faces, supports }, side));
+          const blind = bodySide(site, end);
+          return [1, -1].flatMap((side) => strokesFrom(end, { faces, supports }, side, side === blind));
         }),
   );
 }
@@ -106,7 +112,8 @@ function endByPoints({ cloud, columns }: EndSite, face: WallFace, along: number,
   const past: number[] = [];
   for (const c of face.members) {
     for (let k = columns.start[c]; k < columns.start[c + 1]; k++) {
-      const [x, y] = cloud.positions.subarray(3 * columns.points[k]);
+      const p = 3 * columns.points[k];
+      const [x, y] = [cloud.positions[p], cloud.positions[p + 1]];
       const t = way * (alongOf(face, x, y) - along);
       if (t < -BEFORE_END || t > PAST_END || Math.abs(asideOf(face, x, y)) > NOISES * face.noise) continue;
       past.push(t);
@@ -117,13 +124,19 @@ function endByPoints({ cloud, columns }: EndSite, face: WallFace, along: number,
   return along + way * past[Math.floor(STRAY * past.length)];
 }
 
+/** The side on which the wall's body is: neither floor nor ceiling was seen there before its end; 0 where that is not told. */
+function bodySide({ columns }: EndSite, { face, along, way }: WallEnd): 1 | -1 | 0 {
+  const [from, to] = [along - way * BODY_FROM, along - way * BODY_TO].sort((a, b) => a - b);
+  return blindSide(columns, face, from, to);
+}
+
 /** The stroke on one side of an end: to the face that stands on past it, or else to the nearest, of none. */
-function strokesFrom(end: WallEnd, { faces, supports }: WallFaces, side: number): Segment[] {
+function strokesFrom(end: WallEnd, { faces, supports }: WallFaces, side: number, isBody: boolean): Segment[] {
   const beside = faces.flatMap((other, j) => {
     const aside = asideTo(end, other, side);
     return aside === null
       ? []
-      : [{ aside, isStep: aside < DEEPEST_STEP && standsPast(end, other, supports[j]) }];
+      : [{ aside, isStep: isBody && aside < DEEPEST_STEP && standsPast(end, other, supports[j]) }];
   });
   beside.sort((a, b) => a.aside - b.aside);
   const target = beside.find(({ isStep }) => isStep) ?? beside[0];
