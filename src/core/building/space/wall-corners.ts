@@ -7,7 +7,7 @@ export const NEAR_END = 0.3;
 /** Along a hidden stretch, or between the faces of a wall, hardly any place shows a floor or a ceiling. */
 export const OPEN_SHARE = 0.15;
 /** How far a wall is taken to go on unseen to the corner with another, m: behind a row of wardrobes. */
-export const LONGEST = 4;
+export const LONGEST = 3.5;
 /** Walls seen over less than this, m, may be columns or furniture: they do not go on. */
 const SHORTEST_WALL = 0.6;
 /** A wall ends at a corner this near its end, m: what was seen of it is told in bits. */

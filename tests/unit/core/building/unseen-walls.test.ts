@@ -25,6 +25,7 @@ function wall(normal: 'x' | 'y', offset: number, from: number, to: number) {
     from: begin,
     step: STEP,
     shares,
+    isSeen: new Uint8Array(shares.length).fill(1),
     ceiling: new Float64Array(shares.length).fill(Number.NaN),
   };
   return { face, own };
