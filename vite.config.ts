@@ -39,19 +39,17 @@ const contentSecurityPolicy: Plugin = {
   ],
 };
 
-/** Constants stay constants: as variables, which is the default, the engine reads and checks them anew in every loop. */
+/**
+ * Constants stay constants: as variables, which is the default, the engine reads and checks them anew in every loop. Not in
+ * the page, where the text of an inline worker would be a constant, and there twice over.
+ */
 const output = { topLevelVar: false };
 
 /** The static site around the element. Relative paths, so that it runs from any folder. */
 const site: UserConfig = {
   base: './',
   plugins: [contentSecurityPolicy],
-  build: {
-    outDir: 'dist/site',
-    target: 'es2023',
-    license: { fileName: 'licences.md' },
-    rolldownOptions: { output },
-  },
+  build: { outDir: 'dist/site', target: 'es2023', license: { fileName: 'licences.md' } },
 };
 
 /** The doors of the package: library, element class, registration, worker. */
