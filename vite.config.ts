@@ -97,6 +97,7 @@ export default defineConfig(({ mode }) => ({
   worker: { rolldownOptions: { output } },
   test: {
     include: ['tests/{unit,property,golden,accuracy,reproduction}/**/*.test.ts'],
+    setupFiles: ['tests/seeded.ts'],
     // Its own default leaves a core to others.
     maxWorkers: '100%',
     testTimeout: 60_000,
