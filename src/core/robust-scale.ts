@@ -15,6 +15,18 @@ export function medianOf(values: Float64Array): number {
   return values.length % 2 === 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
+/** The value at or below which half of the weight lies; NaN for none. */
+export function weightedMedian(values: ArrayLike<number>, weights: ArrayLike<number>): number {
+  const rising = Uint32Array.from(values, (_, i) => i).sort((i, j) => values[i] - values[j]);
+  let rest = 0;
+  for (const i of rising) rest += weights[i] / 2;
+  for (const i of rising) {
+    rest -= weights[i];
+    if (rest <= 0) return values[i];
+  }
+  return Number.NaN;
+}
+
 /** Median of the first `count` of `values`, of which every so-many-th is looked at where they are many. O(1) beyond that. */
 export function sampledMedian(values: Float64Array, count: number): number {
   const stride = Math.ceil(count / MEDIAN_SAMPLE);

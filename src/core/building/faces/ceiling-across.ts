@@ -1,6 +1,7 @@
 import type { PointCloud } from '../../types.ts';
-import { columnAt, type HeightColumns } from '../columns/height-columns.ts';
-import { alongOf, asideOf, type Face, pointOn } from './face.ts';
+import type { HeightColumns } from '../columns/height-columns.ts';
+import { alongOf, asideOf, type Face } from './face.ts';
+import { columnsAlong, type FaceBits } from './face-bits.ts';
 
 /** The ceiling is looked at from so near a face, m, or past its noise, in deviations … */
 const NEAR = 0.02;
@@ -26,14 +27,6 @@ const ERRORS = 0.5;
 /** A ceiling with less than the first share of its points behind a face ends there, with more than the second it goes on. */
 const ENDS = 0.35;
 const GOES_ON = 0.7;
-
-/** Bits of a face. */
-export interface FaceBits {
-  /** Place along the face where the first begins, m. */
-  readonly from: number;
-  readonly step: number;
-  readonly count: number;
-}
 
 /** Points of the ceiling beside each bit of a face: near and farther, on the side of its normal, then on the other. */
 const KINDS = 4;
@@ -78,12 +71,12 @@ function countBeside(
   { positions }: PointCloud,
   columns: HeightColumns,
   face: Face,
-  { from, step, count }: FaceBits,
+  bits: FaceBits,
   { near, far }: Strip,
 ): Uint32Array {
-  const { size, overhead, overPoints, overStart } = columns;
+  const { from, step, count } = bits;
+  const { overhead, overPoints, overStart } = columns;
   const counts = new Uint32Array(KINDS * count);
-  const visited = new Set<number>();
   const take = (x: number, y: number) => {
     const bit = Math.floor((alongOf(face, x, y) - from) / step);
     if (bit < 0 || bit >= count) return;
@@ -93,15 +86,10 @@ function countBeside(
     if (away >= near && away <= far) counts[kind]++;
     else if (away >= BESIDE_FROM && away <= BESIDE_TO) counts[kind + 1]++;
   };
-  for (let k = 0; k < count; k++) {
-    for (let across = -BESIDE_TO; across <= BESIDE_TO; across += size / 2) {
-      const c = columnAt(columns, ...pointOn(face, from + (k + 0.5) * step, across));
-      if (c < 0 || visited.has(c)) continue;
-      visited.add(c);
-      for (let p = overStart[c]; p < overStart[c + 1]; p++) {
-        const i = 3 * overPoints[p];
-        if (positions[i + 2] > overhead[c] - ON_CEILING) take(positions[i], positions[i + 1]);
-      }
+  for (const c of columnsAlong(columns, face, bits, BESIDE_TO)) {
+    for (let p = overStart[c]; p < overStart[c + 1]; p++) {
+      const i = 3 * overPoints[p];
+      if (positions[i + 2] > overhead[c] - ON_CEILING) take(positions[i], positions[i + 1]);
     }
   }
   return counts;

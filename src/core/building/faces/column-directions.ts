@@ -111,8 +111,7 @@ class Neighbours {
 
 /** Angle between two lines, 0 to π/2, from the directions of their normals. */
 export function turnBetween(a: number, b: number): number {
-  const turn = Math.abs(a - b) % Math.PI;
-  return Math.min(turn, Math.PI - turn);
+  return Math.abs(turnFrom(a, b));
 }
 
 /** Turn from one line to another, −π/2 to π/2, from the directions of their normals. */

@@ -1,7 +1,8 @@
 import { countBins } from '../columns/bin-masks.ts';
 import { binAt, type HeightColumns, topShare } from '../columns/height-columns.ts';
-import { ceilingAcross, type FaceBits } from './ceiling-across.ts';
+import { ceilingAcross } from './ceiling-across.ts';
 import { alongOf, type Face, type FaceSite, pointOn } from './face.ts';
+import type { FaceBits } from './face-bits.ts';
 import { gapAbove } from './gap-above.ts';
 
 /** Bits of wall along a face, m. */

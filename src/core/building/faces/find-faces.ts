@@ -1,4 +1,5 @@
 import { Moments } from '../../geometry/moments.ts';
+import { weightedMedian } from '../../robust-scale.ts';
 import type { PointCloud } from '../../types.ts';
 import type { HeightColumns } from '../columns/height-columns.ts';
 import { wallColumns } from '../columns/wall-columns.ts';
@@ -96,13 +97,11 @@ function anyArc(cloud: PointCloud, walls: FreeColumns, seed: number): CurvedFace
 
 /** The noise of the faces on which half of all points lie: walls, since clutter has fewer. */
 function usualNoise(faces: readonly Face[]): number {
-  const rising = [...faces].sort((a, b) => a.noise - b.noise);
-  let rest = faces.reduce((sum, { support }) => sum + support, 0) / 2;
-  for (const { noise, support } of rising) {
-    rest -= support;
-    if (rest <= 0) return noise;
-  }
-  return MOST_ARC_NOISE;
+  if (faces.length === 0) return MOST_ARC_NOISE;
+  return weightedMedian(
+    faces.map(({ noise }) => noise),
+    faces.map(({ support }) => support),
+  );
 }
 
 /** Lets a line grow from a column. */

@@ -1,7 +1,6 @@
-import type { PointCloud } from '../../types.ts';
-import { columnAt, type HeightColumns, PLANE_REACH } from '../columns/height-columns.ts';
-import type { FaceBits } from './ceiling-across.ts';
+import { PLANE_REACH } from '../columns/height-columns.ts';
 import { alongOf, asideOf, type Face, type FaceSite, pointOn } from './face.ts';
+import { columnsAlong, type FaceBits } from './face-bits.ts';
 
 /** Points are counted in layers of this height, m: finer than the gap a wardrobe needs to be set up … */
 const LAYER = 0.025;
@@ -51,50 +50,34 @@ export function gapAbove(site: FaceSite, face: Face, bits: FaceBits): Float64Arr
 }
 
 /** Points of a face by height, layer by layer from above, a bit after the other. */
-function countLayers({ cloud, columns, ceiling }: FaceSite, face: Face, bits: FaceBits): Uint32Array {
+function countLayers(
+  { cloud: { positions }, columns, ceiling }: FaceSite,
+  face: Face,
+  bits: FaceBits,
+): Uint32Array {
   const { from, step, count } = bits;
+  const { size, points, start, overhead, overPoints, overStart } = columns;
   const band = Math.max(BAND, DEVIATIONS * face.noise);
   const layers = new Uint32Array(count * LAYERS);
   const top = Float64Array.from(
     { length: count },
     (_, k) => ABOVE + ceiling.at(...pointOn(face, from + (k + 0.5) * step)),
   );
-  for (const i of pointsNear(cloud, columns, { face, bits, band })) {
-    const [x, y, z] = cloud.positions.subarray(i, i + 3);
+  const take = (i: number) => {
+    const [x, y] = [positions[i], positions[i + 1]];
     const bit = Math.floor((alongOf(face, x, y) - from) / step);
-    if (bit < 0 || bit >= count || Math.abs(asideOf(face, x, y)) > band) continue;
-    const layer = Math.floor((top[bit] - z) / LAYER);
+    if (bit < 0 || bit >= count || Math.abs(asideOf(face, x, y)) > band) return;
+    const layer = Math.floor((top[bit] - positions[i + 2]) / LAYER);
     if (layer >= 0 && layer < LAYERS) layers[bit * LAYERS + layer]++;
+  };
+  for (const c of columnsAlong(columns, face, bits, band + size)) {
+    for (let p = overStart[c]; p < overStart[c + 1]; p++) take(3 * overPoints[p]);
+    // Those of a lowered ceiling are below the storey's: they were just taken.
+    const below = overhead[c] - PLANE_REACH;
+    for (let p = start[c]; p < start[c + 1]; p++)
+      if (!(positions[3 * points[p] + 2] > below)) take(3 * points[p]);
   }
   return layers;
-}
-
-interface Neighbourhood {
-  readonly face: Face;
-  readonly bits: FaceBits;
-  /** Half its width, m. */
-  readonly band: number;
-}
-
-/** Where the points of the columns near a face begin among the positions, each point once. */
-function* pointsNear(
-  { positions }: PointCloud,
-  columns: HeightColumns,
-  { face, bits: { from, step, count }, band }: Neighbourhood,
-): Generator<number> {
-  const { size, points, start, overhead, overPoints, overStart } = columns;
-  const visited = new Set<number>();
-  for (let k = 0; k < count; k++) {
-    for (let across = -band - size; across <= band + size; across += size / 2) {
-      const c = columnAt(columns, ...pointOn(face, from + (k + 0.5) * step, across));
-      if (c < 0 || visited.has(c)) continue;
-      visited.add(c);
-      for (let p = overStart[c]; p < overStart[c + 1]; p++) yield 3 * overPoints[p];
-      // Those of a lowered ceiling are below the storey's.
-      const isOver = (i: number) => positions[i + 2] > overhead[c] - PLANE_REACH;
-      for (let p = start[c]; p < start[c + 1]; p++) if (!isOver(3 * points[p])) yield 3 * points[p];
-    }
-  }
 }
 
 /** Sums of the layers of some bits. */

@@ -85,10 +85,11 @@ function joined(a: WallFaces, b: WallFaces): WallFaces {
   return { faces: [...a.faces, ...b.faces], supports: [...a.supports, ...b.supports] };
 }
 
-function subdivide({ faces, supports }: WallFaces, { cloud, columns, seen }: EndSite): FoundRooms {
+function subdivide({ faces, supports }: WallFaces, site: EndSite): FoundRooms {
+  const { columns, seen } = site;
   const segments = faces.map((face, line) => segmentOf(face, line));
   const ties = faces.flatMap((face, line) => (face.reach === 0 ? [{ ...tieOf(face), line }] : []));
-  const ends = wallEnds({ faces, supports }, { cloud, columns, seen });
+  const ends = wallEnds({ faces, supports }, site);
   const arrangement = arrange([...segments, ...ties, ...ends]);
   const taken = withCurves(faces, takenSupport(faces, supports, seen), seen);
   const support = edgeSupport(arrangement, faces, taken);

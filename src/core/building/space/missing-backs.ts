@@ -1,3 +1,4 @@
+import { weightedMedian } from '../../robust-scale.ts';
 import type { Polygon } from '../../types.ts';
 import { type HeightColumns, hasPlane } from '../columns/height-columns.ts';
 import { alongOf, pointOn } from '../faces/face.ts';
@@ -58,13 +59,11 @@ export function missingBacks(found: FoundRooms, columns: HeightColumns): WallFac
 /** The thickness that half the length of the inner walls between rooms has, or less: stubs are many, walls are long. */
 export function usualThickness(rooms: readonly Polygon[]): number {
   const pairs = pairFaces(edgesOf(rooms));
-  pairs.sort((a, b) => a.thickness - b.thickness);
-  let rest = pairs.reduce((sum, { from, to }) => sum + to - from, 0) / 2;
-  for (const { thickness, from, to } of pairs) {
-    rest -= to - from;
-    if (rest <= 0) return thickness;
-  }
-  return USUAL_THICKNESS;
+  if (pairs.length === 0) return USUAL_THICKNESS;
+  return weightedMedian(
+    pairs.map(({ thickness }) => thickness),
+    pairs.map(({ from, to }) => to - from),
+  );
 }
 
 /** Stretches of lines along which two rooms meet at a wall. */

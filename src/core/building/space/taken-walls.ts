@@ -1,16 +1,15 @@
 import type { SeenSpace } from '../columns/seen-space.ts';
 import { alongOf, asideOf, crossingOf, type Face, isParallel, pointOn } from '../faces/face.ts';
 import { type FaceSupport, TAKEN_SHARE, WALL_SHARE } from '../faces/face-support.ts';
-import { LONGEST, NEAR_END, OPEN_SHARE, withCorners } from './wall-corners.ts';
+import { LONGEST, NEAR_END, OPEN_SHARE, THICKEST_WALL, withCorners } from './wall-corners.ts';
 
 /** Widest passage that a wall is taken to go on over, m. */
 const WIDEST_PASSAGE = 2.5;
 /** Over such a width, space seen on less than this share of it does not interrupt the wall. */
 const HALF_OPEN = 0.5;
 
-/** Two faces nearer or farther than this make no inner wall, m. */
+/** Two faces nearer than this make no wall, m. */
 const THINNEST_WALL = 0.04;
-const THICKEST_WALL = 0.4;
 
 /** A wall that crosses bounds a gap if it stands so far off it, m: more than a wall is thick, or past a door. */
 const PASSING = [0.6, 0.9, 1.2, 1.5];

@@ -12,8 +12,8 @@ export const LONGEST = 3.5;
 const SHORTEST_WALL = 0.6;
 /** A wall ends at a corner this near its end, m: what was seen of it is told in bits. */
 const AT_CORNER = 0.1;
-/** Other faces so far past that corner are the same wall's other side, m. */
-const THICKEST_WALL = 0.4;
+/** Two faces farther apart make no inner wall, m. */
+export const THICKEST_WALL = 0.4;
 /** Space goes on across a wall's line if it is open this far off it on both sides, m: where a wall stands, one is inside it. */
 const BESIDE = 0.05;
 /** So far around a bit reaches what is known of its ceiling, m: nearer to a corner it tells of what lies past that. */
@@ -26,7 +26,8 @@ const CEILING_LOOK = 0.2;
  * Not taken: as far from walls of any length (footprints of hard scenes .982 → .972: fronts of cupboards go on); to look
  * for space on the line alone, which lies before the wall as often as behind it (rooms of hard scenes .964 → .914: walls
  * between cupboards stop short, and rooms flow together); to ask the columns only, never the ceiling (rooms of what is beyond
- * hard .854 → .832); both sides at one place (rooms of hard scenes .969 → .964: sparse scans seldom show that); the ceiling right up to the corner (corners of the scenes at 5 cm .989 → .971).
+ * hard .854 → .832); both sides at one place (rooms of hard scenes .969 → .964: sparse scans seldom show
+ * that); the ceiling right up to the corner (corners of the scenes at 5 cm .989 → .971).
  *
  * @param supports what is known of the walls by now; `own` what was seen of them
  */
@@ -123,8 +124,8 @@ function isUnseen({ face, own, seen }: SeenWall, end: number, other: number): bo
     count++;
     const isFar = along - from >= CEILING_LOOK && to - along >= CEILING_LOOK;
     const ceiling = isFar ? own.ceiling[Math.floor((along - own.from) / own.step)] : undefined;
+    const isKnown = ceiling !== undefined && !Number.isNaN(ceiling);
     [BESIDE, -BESIDE].forEach((across, side) => {
-      const isKnown = ceiling !== undefined && !Number.isNaN(ceiling);
       if (isKnown ? ceiling >= 0.5 : seen.isOpen(...pointOn(face, along, across))) open[side]++;
     });
   }
