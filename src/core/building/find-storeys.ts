@@ -1,15 +1,13 @@
-import { CellTable } from '../cell-table.ts';
 import { DEVIATION_BY_MEDIAN, medianOf } from '../robust-scale.ts';
 import type { PointCloud } from '../types.ts';
+import { areaByHeight, BIN, type HeightAreas, type Peak, peaksOf, REACH } from './height-areas.ts';
 
-/** Height bins of the histogram, m: finer than any slab, coarser than a level floor's noise. */
-const BIN = 0.02;
-/** Cells that a height bin's area is counted in, m: coarser than a thinned cloud's voxels. */
-const AREA_CELL = 0.1;
-/** Half width in bins over which a surface's area is gathered: 5 cm of noise, sills and tilt. */
-const REACH = 2;
 /** Lowest clear height of a storey, m: a cellar. */
 const LEAST_HEIGHT = 1.9;
+/** A level with less than this share of the most enclosed one's enclosure lies outdoors. */
+const LEAST_ENCLOSED = 0.5;
+/** … among those with this share of the most area enclosed: smaller ones tell nothing. */
+const TELLING_SHARE = 0.3;
 /** A floor has at least this share of the area of the largest: smaller ones are landings and galleries. */
 const LEAST_FLOOR_SHARE = 0.3;
 /** A ceiling's share; suspended ones and beams leave little of it. */
@@ -51,9 +49,10 @@ export interface StoreyHeights {
  * @param kept indices of the points that are no outliers
  */
 export function findStoreys(cloud: PointCloud, kept: Uint32Array): readonly StoreyHeights[] {
-  const { low, areas } = areaByHeight(cloud.positions, kept);
+  const heightAreas = areaByHeight(cloud.positions, kept, LEAST_HEIGHT);
+  const { low } = heightAreas;
   const heightAt = (bin: number) => low + (bin + 0.5) * BIN;
-  const peaks = peaksOf(areas);
+  const peaks = withoutOutdoors(peaksOf(heightAreas));
   if (peaks.length === 0) return [];
   const largest = Math.max(...peaks.map(({ area }) => area));
   const surfaces = peaks.filter(({ area }) => area >= LEAST_CEILING_SHARE * largest);
@@ -71,7 +70,7 @@ export function findStoreys(cloud: PointCloud, kept: Uint32Array): readonly Stor
     );
     if (floors.length === 0 || hasCeilingBelow) floors.push(z);
   }
-  if (floors.length === 0) return openStorey(cloud, kept, { low, areas }, peaks);
+  if (floors.length === 0) return openStorey(cloud, kept, heightAreas, peaks);
   return floors.map((floor, i) => {
     const next = floors[i + 1] ?? Infinity;
     const above = surfaces.filter(({ bin }) => heightAt(bin) >= floor + LEAST_HEIGHT && heightAt(bin) < next);
@@ -81,6 +80,19 @@ export function findStoreys(cloud: PointCloud, kept: Uint32Array): readonly Stor
       ceiling: refined(cloud.positions, kept, heightAt(highest.bin)),
     };
   });
+}
+
+/**
+ * The levels that have something far above or below them: grounds seen through windows have not.
+ *
+ * Without a ceiling a floor still has its walls, so shares are compared with the best one's.
+ */
+function withoutOutdoors(peaks: readonly Peak[]): Peak[] {
+  const enclosed = ({ area, enclosed }: Peak) => area * enclosed;
+  const most = Math.max(...peaks.map(enclosed));
+  const telling = peaks.filter((peak) => enclosed(peak) >= TELLING_SHARE * most);
+  const best = Math.max(...telling.map((peak) => peak.enclosed));
+  return peaks.filter((peak) => peak.enclosed >= LEAST_ENCLOSED * best);
 }
 
 /**
@@ -113,55 +125,6 @@ function wallsFrom(areas: Float64Array, bin: number, way: number): { area: numbe
   let end = way > 0 ? areas.length - 1 : 0;
   while (end !== bin && areas[end] < Math.max(1, END_SHARE * usual)) end -= way;
   return { area: usual, end };
-}
-
-interface HeightAreas {
-  readonly low: number;
-  /** Cells with points, a bin. */
-  readonly areas: Float64Array;
-}
-
-function areaByHeight(positions: Float32Array, kept: Uint32Array): HeightAreas {
-  let [low, high] = [Infinity, -Infinity];
-  for (const i of kept) {
-    low = Math.min(low, positions[3 * i + 2]);
-    high = Math.max(high, positions[3 * i + 2]);
-  }
-  const areas = new Float64Array(Math.floor((high - low) / BIN) + 1);
-  const seen = new CellTable(kept.length / 4);
-  for (const i of kept) {
-    const bin = Math.floor((positions[3 * i + 2] - low) / BIN);
-    const before = seen.count;
-    seen.add(Math.floor(positions[3 * i] / AREA_CELL), Math.floor(positions[3 * i + 1] / AREA_CELL), bin);
-    if (seen.count > before) areas[bin]++;
-  }
-  return { low, areas };
-}
-
-interface Peak {
-  readonly bin: number;
-  readonly area: number;
-}
-
-/** Bins that hold more than any other within reach, and twice what walls alone give. */
-function peaksOf(areas: Float64Array): Peak[] {
-  const gathered = areas.map((_, bin) => {
-    let sum = 0;
-    for (let k = Math.max(0, bin - REACH); k <= Math.min(areas.length - 1, bin + REACH); k++) sum += areas[k];
-    return sum;
-  });
-  const walls = Float64Array.from(gathered).sort()[gathered.length >> 1];
-  const peaks: Peak[] = [];
-  for (let bin = 0; bin < areas.length; bin++) {
-    const area = gathered[bin] - walls;
-    if (area < walls) continue;
-    let isHighest = true;
-    for (let k = Math.max(0, bin - 2 * REACH); k <= Math.min(areas.length - 1, bin + 2 * REACH); k++) {
-      if (gathered[k] > gathered[bin] || (gathered[k] === gathered[bin] && k < bin)) isHighest = false;
-    }
-    if (isHighest) peaks.push({ bin, area });
-  }
-  return peaks;
 }
 
 /** Median height of the points around a peak, looked at ever more closely. */

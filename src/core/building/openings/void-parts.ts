@@ -1,4 +1,5 @@
 import { medianOf } from '../../robust-scale.ts';
+import { withoutPanes } from './panes.ts';
 import { FEWEST, LOOK_FROM, LOOK_TO, STEP, type WallLook } from './wall-look.ts';
 import type { WallStrip } from './wall-strip.ts';
 
@@ -48,7 +49,8 @@ export function voidParts(look: WallLook, band: number): VoidPart[] {
     const { along } = look.strip;
     const near = inside.filter((i) => along[i] > from - JAMB_REACH && along[i] < to + JAMB_REACH);
     const hole = { from, to, reveals: nearFace(look, near) };
-    return isClosed(look, hole) ? [{ ...hole, jambs: 0, isClosed: true }] : partsOf(look, hole);
+    if (isClosed(look, hole)) return [{ ...hole, jambs: 0, isClosed: true }];
+    return partsOf(look, { ...hole, reveals: withoutPanes(look, hole.reveals) });
   });
 }
 
