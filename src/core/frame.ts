@@ -136,8 +136,8 @@ function findTilt(
   { up, normal, planes }: Gravity,
   context: StageContext,
 ): Vec3 | null {
-  const plane = planes.floor ?? planes.ceiling;
-  const tilted = fitTilt(patches, uprightRotation(up), normal, plane);
+  const levels = [planes.floor, planes.ceiling].filter((plane) => plane !== null);
+  const tilted = fitTilt(patches, uprightRotation(up), normal, levels);
   if (!tilted) return null;
   const angleDeg = (angleOf(tilted) * 180) / Math.PI;
   if (angleOf(tilted) > MOST_TILT) {

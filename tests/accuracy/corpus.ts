@@ -1,7 +1,9 @@
+import type { Building } from '../../fixtures/simulator/building.ts';
 import type { SceneSpec } from '../../fixtures/simulator/index.ts';
 import type { Pose } from '../../fixtures/simulator/pose.ts';
 import { type Random, seededRandom } from '../../fixtures/simulator/random.ts';
 import { DEFAULT_SCAN, MOBILE_SCAN, type ScanOptions } from '../../fixtures/simulator/scan.ts';
+import { withOutdoors, withPanes } from '../../fixtures/simulator/surroundings.ts';
 import { variedBuilding } from '../../fixtures/simulator/varied-buildings.ts';
 import { RECIPES, type Recipe } from './recipes.ts';
 
@@ -26,12 +28,17 @@ export const CORPUS: readonly CorpusScene[] = Object.entries(RECIPES).flatMap(([
 
 function specOf(name: string, recipe: Recipe, seed: number): SceneSpec {
   const random = seededRandom(seed, `corpus-${name}`);
+  const building = variedBuilding(name, seed, recipe.sketch, recipe.variety);
   return {
     name: `${name}-${seed}`,
-    building: variedBuilding(name, seed, recipe.sketch, recipe.variety),
+    building: recipe.hasGarden ? inGarden(building) : building,
     scan: scanOf(recipe, seed, random.fork('scan')),
     pose: poseOf(recipe, random.fork('pose')),
   };
+}
+
+function inGarden({ name, storeys }: Building): Building {
+  return { name, storeys: storeys.map((storey) => withPanes(withOutdoors(storey))) };
 }
 
 function scanOf({ scan = {}, isMobile = false, variety }: Recipe, seed: number, random: Random): ScanOptions {

@@ -21,6 +21,8 @@ export interface Recipe {
   readonly sketch: Sketch;
   readonly variety: Variety;
   readonly isMobile?: boolean;
+  /** Glass in the windows, and a garden behind them. */
+  readonly hasGarden?: boolean;
   readonly scan?: Partial<Omit<ScanOptions, 'seed' | 'noise' | 'voxel' | 'mostRays'>> & {
     readonly noiseMm?: Range;
     readonly voxelCm?: Range;
@@ -266,5 +268,15 @@ export const RECIPES: Readonly<Record<string, Recipe>> = {
     variety: { clutter: 1, heights: LOW, tall: fullCupboards(0.36), style: { windows: 0.5 } },
     scan: { noiseMm: [22, 30], voxelCm: [5, 7] },
     pose: { unit: 'ft', tiltDeg: 2.5 },
+  },
+
+  // Seen from inside: what lies outside.
+  'home-garden': { sketch: homeSketch('T'), variety: { clutter: 0.3 }, hasGarden: true },
+  'home-garden-furnished': {
+    sketch: homeSketch('L'),
+    variety: { clutter: 0.8, heights: LOW, tall: fullCupboards(0.2) },
+    scan: { noiseMm: [15, 20] },
+    pose: { tiltDeg: 3 },
+    hasGarden: true,
   },
 };

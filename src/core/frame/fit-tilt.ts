@@ -28,30 +28,31 @@ interface FittedPlane {
 }
 
 /**
- * The true up of a tilted cloud from its floor (without one: its ceiling), or null where it stands level
- * already.
+ * The true up of a tilted cloud from its floor or its ceiling, or null where it stands level already.
  *
- * Least squares through patch centroids, those far off cut in rounds. The tilt must exceed the error of the
- * fit and must make the walls more upright, so that a ramp or a sloped ceiling does not tilt a level scan.
- * O(patches).
+ * Least squares through patch centroids, those far off cut in rounds; of the two the one counts that makes the walls more
+ * upright, for the ground outside may lie beside the floor. The tilt must exceed the error of the fit and must make the
+ * walls more upright than they are, so that a ramp or a sloped ceiling does not tilt a level scan. O(patches).
  *
  * @param upright rotation to plan axes without levelling
  * @param normal estimate of up, source axes
- * @param plane floor or ceiling along `normal`
+ * @param levels floor and ceiling along `normal`, those that were found
  * @returns unit vector, plan axes
  */
 export function fitTilt(
   patches: SurfacePatches,
   upright: Rotation,
   normal: Vec3,
-  plane: HeightPlane | null,
+  levels: readonly HeightPlane[],
 ): Vec3 | null {
-  const fitted = plane && fitPlane(patches, upright, normal, plane);
+  const lean = (up: Vec3) => wallLean(patches, upright, up);
+  const [fitted] = levels
+    .flatMap((plane) => fitPlane(patches, upright, normal, plane) ?? [])
+    .sort((a, b) => lean(a.normal) - lean(b.normal));
   if (!fitted) return null;
   const tilt = Math.hypot(fitted.normal[0], fitted.normal[1]);
   if (tilt < Math.max(LEAST_TILT, SIGNIFICANT * fitted.error)) return null;
-  const leanAfter = wallLean(patches, upright, fitted.normal);
-  return leanAfter <= wallLean(patches, upright, [0, 0, 1]) ? fitted.normal : null;
+  return lean(fitted.normal) <= lean([0, 0, 1]) ? fitted.normal : null;
 }
 
 function fitPlane(
