@@ -1,8 +1,14 @@
 import { expect, it } from 'vitest';
 import type { Building, Storey } from '../../../../fixtures/simulator/building.ts';
 import { type SceneSpec, simulate, writePly } from '../../../../fixtures/simulator/index.ts';
-import { sampleOffice } from '../../../../fixtures/simulator/sample-buildings.ts';
-import { withGlassFront, withOutdoors, withPanes } from '../../../../fixtures/simulator/surroundings.ts';
+import type { XY } from '../../../../fixtures/simulator/ring.ts';
+import { sampleHome, sampleOffice } from '../../../../fixtures/simulator/sample-buildings.ts';
+import {
+  withGlassFront,
+  withOutdoors,
+  withPanes,
+  withStairs,
+} from '../../../../fixtures/simulator/surroundings.ts';
 import { variedBuilding } from '../../../../fixtures/simulator/varied-buildings.ts';
 import { createStrokeTest } from '../../../../src/cli/canvas-stroke.ts';
 import { blobSource } from '../../../../src/read/bytes/blob-source.ts';
@@ -81,4 +87,14 @@ it('a room that nobody entered is not invented', async () => {
   });
   expect(measures.roomPrecision).toBe(1);
   expect(measures.roomRecall).toBeLessThan(1);
+});
+
+it('stairs lose no room, above or below', async () => {
+  const [home] = sampleHome().storeys;
+  const corner = ([x, y]: XY) => x < 3.4 && y > 3.2 && y < 4.7;
+  const bare = { ...home, furniture: home.furniture.filter(({ ring }) => !ring.some(corner)) };
+  const storeys = withStairs(bare, { ...bare, floor: home.height + 0.3 }, [0.1, 3.6, 2.9, 0.9]);
+  const { measures } = await measured({ name: 'stairs', building: { name: 'stairs', storeys } });
+  expect(measures).toMatchObject({ roomRecall: 1, invalidCount: 0 });
+  expect(measures.footprintIou).toBeGreaterThan(0.99);
 });
