@@ -3,9 +3,11 @@ import { LOOK_FROM, LOOK_TO, type WallLook } from './wall-look.ts';
 /** A pane is flat within this, m, beside its noise, in deviations. */
 const FLATNESS = 0.02;
 const DEVIATIONS = 2;
-/** It shows in columns of this width, m, in so many next to each other: jambs run across the wall, not along it. */
+/** It shows in columns of this width, m, in so many along the wall: jambs run across it … */
 const COLUMN = 0.1;
 const FEWEST_COLUMNS = 4;
+/** … with no more empty ones between two, as few rays come back. */
+const MOST_EMPTY = 3;
 
 /**
  * Points within a wall without those of panes: upright surfaces along the wall, as of glass, blinds, shutters.
@@ -35,14 +37,17 @@ export function withoutPanes({ strip, noise }: WallLook, inside: readonly number
   });
 }
 
-/** Those of some columns that have enough of them beside each other. */
-function inRuns(columns: ReadonlySet<number>): Set<number> {
+/** The columns from the first to the last of those that are many and near each other. */
+function inRuns(met: ReadonlySet<number>): Set<number> {
   const kept = new Set<number>();
-  for (const first of columns) {
-    if (columns.has(first - 1)) continue;
-    let end = first;
-    while (columns.has(end)) end++;
-    if (end - first >= FEWEST_COLUMNS) for (let column = first; column < end; column++) kept.add(column);
+  let run: number[] = [];
+  for (const column of [...met].sort((a, b) => a - b).concat(Infinity)) {
+    const last = run[run.length - 1] ?? column;
+    if (column - last - 1 > MOST_EMPTY) {
+      if (run.length >= FEWEST_COLUMNS) for (let own = run[0]; own <= last; own++) kept.add(own);
+      run = [];
+    }
+    run.push(column);
   }
   return kept;
 }
