@@ -30,8 +30,8 @@ export interface SeenSpace {
 /**
  * A column beside a wall may reach into it, so it does not count; nor is it solid where space was seen in it. O(columns).
  *
- * Not taken: such columns as seen (hard corners at 5 cm .67 → .66, a wall of a coarse corridor goes); as solid unless their
- * neighbours are clear (.69 → .68: strips before walls are called solid).
+ * Not taken: such columns as seen (hard corners at 5 cm .670 → .655, a wall of a coarse corridor goes); as solid unless their
+ * neighbours are clear (.698 → .689: strips before walls are called solid).
  */
 export function seenSpace(columns: HeightColumns): SeenSpace {
   const { table, count, planes, overhead } = columns;
