@@ -33,7 +33,7 @@ export function findRooms(cloud: PointCloud, columns: HeightColumns, ceiling: Lo
   const walls = wallFaces({ cloud, columns, ceiling });
   const site: EndSite = { cloud, columns, seen };
   const first = subdivide(walls, site);
-  const backs = missingBacks(first, columns);
+  const backs = missingBacks(first, walls, site);
   const found = backs.faces.length === 0 ? first : subdivide(joined(walls, backs), site);
   return holdWhatWasSeen(found, columns, seen) ? found : { ...found, rooms: [] };
 }

@@ -1,16 +1,16 @@
-import type { PointCloud } from '../../types.ts';
-import type { HeightColumns } from '../columns/height-columns.ts';
 import type { SeenSpace } from '../columns/seen-space.ts';
 import { alongOf, asideOf, isParallel, pointOn } from '../faces/face.ts';
 import { type FaceSupport, WALL_SHARE } from '../faces/face-support.ts';
+import { type BlindSite, blindSide } from './blind-side.ts';
 import { NO_LINE, RETURN_LINE, type Segment } from './cut-segments.ts';
 import type { WallFace, WallFaces } from './found-rooms.ts';
-import { blindSide } from './missing-backs.ts';
 
 /** Thickest wall that may end, m. */
 const THICKEST = 0.6;
 /** Deepest step between two faces of a wall, m: pilasters, chimneys and niches are flatter than most cupboards. */
 const DEEPEST_STEP = 0.4;
+/** … and those flatter than this are panelling, or the frame of a door. */
+const FLATTEST_STEP = 0.1;
 /** Nearer faces are one, m. */
 const THINNEST = 0.03;
 /** Shortest stretch of wall whose ends count, m, and longest break in it. */
@@ -19,6 +19,8 @@ const LONGEST_BREAK = 0.15;
 /** A wall ends where space was seen from so far past it, m, to so far, over most of the way. */
 const PAST_FROM = 0.1;
 const PAST_TO = 0.35;
+/** Sparse scans show a place by those this far off it on both sides, m. */
+const BESIDE = 0.05;
 /** The wall's body is looked for from so far before its end, m, to so far. */
 const BODY_FROM = 0.3;
 const BODY_TO = 0.05;
@@ -37,9 +39,7 @@ const STRAY = 0.03;
 const FEWEST = 5;
 
 /** A storey, as the ends of its walls are looked for. */
-export interface EndSite {
-  readonly cloud: PointCloud;
-  readonly columns: HeightColumns;
+export interface EndSite extends BlindSite {
   readonly seen: SeenSpace;
 }
 
@@ -48,12 +48,13 @@ export interface EndSite {
  *
  * They let the subdivision end a wall there even where too little of its reveal was seen to be a face. Where another face
  * of the wall stands on past the end, the wall steps back to it or forward, at a niche, a pilaster, a chimney: a surface
- * joins the two, and the stroke is a wall. O(faces · ends + points at the ends).
+ * joins the two, and the stroke is a wall. Where no face is beside it, the stroke cuts the wall's own, so that what stands of
+ * it is told from what does not. O(faces · ends + points at the ends).
  *
  * Not taken: strokes as walls wherever a wall ends (clean corners at 5 cm .910 → .862: jags beside reveals that were seen);
  * ends by bits of the face, not by its points (.937 → .914); steps as deep as any wall (hard corners .549 → .538: sides of
- * cupboards); on whichever side a face stands (rooms of crossing-suspended-152 .88 → .80); only where no reveal was seen (no
- * difference).
+ * cupboards) or as flat (.689 → .693, but jogs along the glass wall of a real room); on whichever side a face stands (rooms
+ * of hard offices .88 → .80); only where no reveal was seen (no difference).
  */
 export function wallEnds({ faces, supports }: WallFaces, site: EndSite): Segment[] {
   return faces.flatMap((face, i) =>
@@ -94,7 +95,8 @@ function endsAlong(shares: Float64Array, step: number): { bit: number; way: 1 | 
 }
 
 function isOpenPast(face: WallFace, along: number, way: number, seen: SeenSpace): boolean {
-  return mostPast(PAST_FROM, (past) => seen.isOpen(...pointOn(face, along + way * past)));
+  const isOpen = (past: number, across: number) => seen.isOpen(...pointOn(face, along + way * past, across));
+  return mostPast(PAST_FROM, (past) => isOpen(past, 0) || (isOpen(past, BESIDE) && isOpen(past, -BESIDE)));
 }
 
 /** Whether something holds at most places past an end, from so far, m. */
@@ -125,25 +127,24 @@ function endByPoints({ cloud, columns }: EndSite, face: WallFace, along: number,
 }
 
 /** The side on which the wall's body is: neither floor nor ceiling was seen there before its end; 0 where that is not told. */
-function bodySide({ columns }: EndSite, { face, along, way }: WallEnd): 1 | -1 | 0 {
+function bodySide(site: EndSite, { face, along, way }: WallEnd): 1 | -1 | 0 {
   const [from, to] = [along - way * BODY_FROM, along - way * BODY_TO].sort((a, b) => a - b);
-  return blindSide(columns, face, from, to);
+  return blindSide(site, face, from, to);
 }
 
-/** The stroke on one side of an end: to the face that stands on past it, or else to the nearest, of none. */
+/** The stroke on one side of an end: to the face that stands on past it, or else to the nearest, or to none. */
 function strokesFrom(end: WallEnd, { faces, supports }: WallFaces, side: number, isBody: boolean): Segment[] {
   const beside = faces.flatMap((other, j) => {
     const aside = asideTo(end, other, side);
-    return aside === null
-      ? []
-      : [{ aside, isStep: isBody && aside < DEEPEST_STEP && standsPast(end, other, supports[j]) }];
+    if (aside === null) return [];
+    const isStep = isBody && aside >= FLATTEST_STEP && aside < DEEPEST_STEP;
+    return [{ aside, isStep: isStep && standsPast(end, other, supports[j]) }];
   });
   beside.sort((a, b) => a.aside - b.aside);
   const target = beside.find(({ isStep }) => isStep) ?? beside[0];
-  if (target === undefined) return [];
   const [ax, ay] = pointOn(end.face, end.along, -side * OVERLAP);
-  const [bx, by] = pointOn(end.face, end.along, side * (target.aside + OVERLAP));
-  return [{ ax, ay, bx, by, line: target.isStep ? RETURN_LINE : NO_LINE }];
+  const [bx, by] = pointOn(end.face, end.along, side * ((target?.aside ?? 0) + OVERLAP));
+  return [{ ax, ay, bx, by, line: target?.isStep ? RETURN_LINE : NO_LINE }];
 }
 
 /** How far beside an end another face's line runs on one side, m; null where it does not, or too far off. */
