@@ -33,6 +33,10 @@ export interface ThinningOptions {
  * attributes): no grid pattern, no bias to a scanner's order, and as the minimum of minima is the minimum, the points
  * kept are the same for every order of the points, and for coarsening later or starting coarse. When more than
  * `budget` points are kept the edge doubles. Cell 0 keeps every distinct point. Complexity: O(points).
+ *
+ * Not taken, in ms for 2 M points of 31 bytes, most of them kept, read and ordered in Node on two cores: a thread for each
+ * half of the bytes, 199 → 239, as what one of them kept is added again, which takes as long as the other has saved; this
+ * folder in WebAssembly, 241 → 209, with the decoding of records 160, but it needs a double where a page forbids WebAssembly.
  */
 export class Thinning {
   /** Edge of a cell in source units, a power of two; 0 where every distinct point is kept. */

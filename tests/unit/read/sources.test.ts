@@ -41,12 +41,29 @@ describe('blobSource', () => {
   });
 
   it('says when a file has gone', async () => {
+    const fail = () => Promise.reject(new DOMException('gone', 'NotReadableError'));
     const gone = {
       size: 10,
-      slice: () => ({ arrayBuffer: () => Promise.reject(new DOMException('gone', 'NotReadableError')) }),
+      slice: () => ({ arrayBuffer: fail }),
+      stream: () => new ReadableStream({ pull: fail }),
     };
     const source = blobSource(gone as unknown as Blob, 'scan.ply');
-    await expect(streamed(source)).rejects.toMatchObject({ code: 'input/unreadable' });
+    await expect(source.slice(2, 4)).rejects.toMatchObject({
+      code: 'input/unreadable',
+      detail: { offset: 2 },
+    });
+    await expect(streamed(source)).rejects.toMatchObject({ code: 'input/unreadable', detail: { offset: 0 } });
+  });
+
+  it('lets go of a file that is not read to its end', async () => {
+    const cancel = vi.fn();
+    const stream = () => new ReadableStream({ pull: (to) => to.enqueue(new Uint8Array(4)), cancel });
+    const source = blobSource({ size: 100, stream } as unknown as Blob, 'scan.ply');
+    for await (const piece of source.stream()) {
+      expect(piece).toHaveLength(4);
+      break;
+    }
+    expect(cancel).toHaveBeenCalledOnce();
   });
 });
 
