@@ -6,6 +6,7 @@ import type { Face } from '../../../../src/core/building/faces/face.ts';
 import { type FaceSupport, STEP, WALL_SHARE } from '../../../../src/core/building/faces/face-support.ts';
 import { findRooms } from '../../../../src/core/building/space/find-rooms.ts';
 import { usualThickness } from '../../../../src/core/building/space/missing-backs.ts';
+import { takenSupport } from '../../../../src/core/building/space/taken-walls.ts';
 import { withCorners } from '../../../../src/core/building/space/wall-corners.ts';
 import type { Ring, Vec2 } from '../../../../src/core/types.ts';
 import { makeCloud } from '../made-scan.ts';
@@ -67,6 +68,42 @@ describe('a wall that ends short of another', () => {
 
   it('that meets one face of a wall does not go on to its other', () => {
     expect(endOf([wall('y', 4, 2, 5.9), wall('x', 5.9, 0, 8), outer], () => false)).toBeCloseTo(5.9, 1);
+  });
+});
+
+describe('a gap of a wall where a corridor leads off', () => {
+  const [begin, end] = [3, 5];
+  const before = wall('y', 4, 1, begin);
+  const after = wall('y', 4, end, 7);
+  const whole = {
+    face: { ...before.face, from: after.face.from },
+    own: { ...before.own, shares: before.own.shares.map((share, k) => Math.max(share, after.own.shares[k])) },
+  };
+  const walls = [whole, wall('x', begin, 4, 8), wall('x', end, 4, 8)];
+
+  function isTakenAt(x: number, isOpen: SeenSpace['isOpen']): boolean {
+    const none = new Uint8Array(0);
+    const [{ from, shares }] = takenSupport(
+      walls.map(({ face }) => face),
+      walls.map(({ own }) => own),
+      { isSeen: none, isBetween: none, at: isOpen, isOpen },
+    );
+    return shares[Math.floor((-x - from) / STEP)] >= WALL_SHARE;
+  }
+
+  /** Rows of a scanner far off: a third of the places. */
+  const inRow = (x: number) => Math.floor(10 * x) % 3 === 0;
+
+  it('stays open where as little of its line was seen as of what is beside', () => {
+    expect(isTakenAt(4, (x) => inRow(x))).toBe(false);
+  });
+
+  it('is a wall where the same rows end at its line', () => {
+    expect(isTakenAt(4, (x, y) => inRow(x) && Math.abs(y - 4) > 0.1)).toBe(true);
+  });
+
+  it('is a wall where a cupboard hides half of it', () => {
+    expect(isTakenAt(4, (x) => inRow(x) && x > 4)).toBe(true);
   });
 });
 
