@@ -20,7 +20,7 @@ import { type WallStretch, type WallStrip, wallStrip } from './openings/wall-str
 import { findRooms } from './space/find-rooms.ts';
 import { findStructures } from './structures/find-structures.ts';
 import { innerWalls } from './walls/inner-walls.ts';
-import { type FacePair, pairFaces } from './walls/pair-faces.ts';
+import { type FacePair, pairFaces, sharedFaces } from './walls/pair-faces.ts';
 import { primaryOutline } from './walls/primary-outline.ts';
 import { edgesOf, type RoomEdge } from './walls/room-edges.ts';
 import { roomHeights } from './walls/room-heights.ts';
@@ -28,6 +28,8 @@ import { unseenStretches } from './walls/unseen-stretches.ts';
 
 /** How deep an outer wall is looked into, m. */
 const DEEPEST = 0.8;
+/** How deep an inner wall is looked into where one of its faces was seen, m. */
+const DEEPEST_INNER = 0.4;
 /** Thickness of an inner wall where no two rooms share one, m: what the outline closes over then does not matter. */
 const USUAL_INNER = 0.12;
 /** Half thickness of a face, m, or so many deviations of its points. */
@@ -89,7 +91,8 @@ export function planStorey(
   const primary = primaryOutline(outlines, thickest).map((outline) => withArcs(outline, curves));
   const inner = pairs.map((pair) => lookIntoInner(site, pair));
   const outer = edgesOf(primary).map((edge) => lookIntoOuter(site, edge));
-  const unseen = edges.map((edge) => unseenOf(site, edge, [...inner, ...outer]));
+  const shared = sharedFaces(edges).map((pair) => lookIntoShared(site, pair));
+  const unseen = edges.map((edge) => unseenOf(site, edge, [...inner, ...shared.flat(), ...outer]));
   const byRoom = outlines.map((_, i) => unseen.filter((_, e) => edges[e].owner === i).flat());
   const tall = roomHeights(cloud, columns, outlines);
   const rooms = outlines.map((outline, i) => ({
@@ -104,9 +107,16 @@ export function planStorey(
     primary,
     rooms,
     innerWalls: innerWalls(outlines, primary, pairs, byRoom),
-    innerOpenings: inner.flatMap(({ stretch, found: holes }, i) =>
-      holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
-    ),
+    innerOpenings: [
+      ...inner.flatMap(({ stretch, found: holes }, i) =>
+        holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
+      ),
+      ...shared
+        .flat()
+        .flatMap(({ stretch, found: holes }) =>
+          holes.map((hole) => placeOpening(hole, stretch, (hole.reveal || 0) / 2)),
+        ),
+    ],
     outer,
     secondary,
     unseen: byRoom.flatMap((gaps, i) => gaps.map((gap) => ({ ...gap, room: `Room ${i + 1}` }))),
@@ -130,6 +140,35 @@ function lookIntoInner(site: Site, { face, from, to, thickness }: FacePair): Loo
   const isThrough = throughAt(columns, stretch, thickness / 2);
   const found = findOpenings({ ...look, noise: site.noise, ceiling: site.height, isThrough });
   return { stretch, found };
+}
+
+/**
+ * Looks into a wall of which two rooms share the one face that was seen: it may stand on either side of that, and where both
+ * show an opening at a place, the surer one holds.
+ */
+function lookIntoShared(site: Site, { face, back, from, to }: FacePair): LookedInto[] {
+  const alongBack = (x: number, y: number) => (x - back.ax) * back.ux + (y - back.ay) * back.uy;
+  const begin = alongBack(face.ax + to * face.ux, face.ay + to * face.uy);
+  const length = to - from;
+  const [ahead, behind] = [
+    stretchAt(face, from, to, DEEPEST_INNER),
+    stretchAt(back, begin, begin + length, DEEPEST_INNER),
+  ].map((stretch): LookedInto => {
+    const { cloud, columns, noise, height } = site;
+    const look = { strip: wallStrip(cloud, columns, stretch), length, thickness: Infinity };
+    const isThrough = throughAt(columns, stretch, USUAL_INNER / 2);
+    const found = findOpenings({ ...look, noise, ceiling: height, isThrough });
+    return { stretch, found: found.filter(({ type }) => type !== 'window') };
+  });
+  const isSurer = (own: FoundOpening, others: readonly FoundOpening[], isFirst: boolean) =>
+    others.every(({ from: a, to: b, confidence }) => {
+      const meets = length - b < own.to && own.from < length - a;
+      return !meets || own.confidence > confidence || (isFirst && own.confidence === confidence);
+    });
+  return [
+    { ...ahead, found: ahead.found.filter((own) => isSurer(own, behind.found, true)) },
+    { ...behind, found: behind.found.filter((own) => isSurer(own, ahead.found, false)) },
+  ];
 }
 
 function lookIntoOuter(site: Site, edge: RoomEdge): LookedInto {

@@ -54,7 +54,7 @@ function openingIn(look: WallLook, part: VoidPart, band: number): FoundOpening |
   // A closed leaf has points at all heights, so that only the faces beside it tell.
   const { head, sill } = isClosed ? { head: null, sill: null } : revealLevels(look.strip, reveals, stretch);
   const through = throughShare(look, stretch);
-  const isSeenThrough = Number.isFinite(look.thickness) && jambs > 0 && through >= THROUGH_SHARE;
+  const isSeenThrough = jambs > 0 && through >= THROUGH_SHARE;
   if (head === null && sill === null && !isSeenThrough && !isClosed) return null;
   const faces = faceHeights(look, stretch, band);
   const [bottom, top] = [sill ?? faces.sill, head ?? faces.head];
