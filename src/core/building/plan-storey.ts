@@ -16,6 +16,7 @@ import { localCeiling } from './columns/local-ceiling.ts';
 import type { StoreyHeights } from './find-storeys.ts';
 import { findFurniture } from './furniture/find-furniture.ts';
 import { type FoundOpening, findOpenings, placeOpening } from './openings/find-openings.ts';
+import { joinedOpenings } from './openings/joined-openings.ts';
 import { type WallStretch, type WallStrip, wallStrip } from './openings/wall-strip.ts';
 import { findRooms } from './space/find-rooms.ts';
 import { findStructures } from './structures/find-structures.ts';
@@ -107,7 +108,7 @@ export function planStorey(
     primary,
     rooms,
     innerWalls: innerWalls(outlines, primary, pairs, byRoom),
-    innerOpenings: [
+    innerOpenings: joinedOpenings([
       ...inner.flatMap(({ stretch, found: holes }, i) =>
         holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
       ),
@@ -116,7 +117,7 @@ export function planStorey(
         .flatMap(({ stretch, found: holes }) =>
           holes.map((hole) => placeOpening(hole, stretch, (hole.reveal || 0) / 2)),
         ),
-    ],
+    ]),
     outer,
     secondary,
     unseen: byRoom.flatMap((gaps, i) => gaps.map((gap) => ({ ...gap, room: `Room ${i + 1}` }))),
