@@ -9,8 +9,8 @@ const NARROWEST = 0.4;
 const WIDEST = 6;
 /** Points nearer to floor or ceiling than this are theirs, m. */
 const OFF_PLANE = 0.1;
-/** Bits beside a void over which both faces stand where it is an opening's: the void ends alike in both. */
-const FRAME_BITS = 2;
+/** The void in one face of a wall ends within so many bits of that in the other where both are an opening's. */
+const FRAME_BITS = 3;
 /** A reveal has no gap in depth wider than this, m. */
 const DEPTH_GAP = 0.12;
 /** Reach around the end of a void in which its jamb is looked for, m. */
@@ -81,10 +81,9 @@ function voidsOf(
     .filter(({ from, to }) => to - from >= NARROWEST - 2 * STEP);
 }
 
-/** Whether a face stands at some bits along it. */
+/** Whether a face stands somewhere between two bits along it. */
 function stands(shares: Float64Array, begin: number, end: number): boolean {
-  if (begin < 0 || end > shares.length) return false;
-  return shares.subarray(begin, end).every((share) => share > STANDING);
+  return shares.subarray(Math.max(0, begin), end).some((share) => share > STANDING);
 }
 
 /** Share of the bits at eye height that have points, for each bit along a face. */
