@@ -31,6 +31,8 @@ import { unseenStretches } from './walls/unseen-stretches.ts';
 const DEEPEST = 0.8;
 /** How deep an inner wall is looked into where one of its faces was seen, m. */
 const DEEPEST_INNER = 0.4;
+/** An opening there is as sure as this: with no second face to agree, one jamb or a lintel alone may be furniture's. */
+const SHARED_CONFIDENCE = 0.5;
 /** Thickness of an inner wall where no two rooms share one, m: what the outline closes over then does not matter. */
 const USUAL_INNER = 0.12;
 /** Half thickness of a face, m, or so many deviations of its points. */
@@ -92,8 +94,8 @@ export function planStorey(
   const primary = primaryOutline(outlines, thickest).map((outline) => withArcs(outline, curves));
   const inner = pairs.map((pair) => lookIntoInner(site, pair));
   const outer = edgesOf(primary).map((edge) => lookIntoOuter(site, edge));
-  const shared = sharedFaces(edges).map((pair) => lookIntoShared(site, pair));
-  const unseen = edges.map((edge) => unseenOf(site, edge, [...inner, ...shared.flat(), ...outer]));
+  const shared = sharedFaces(edges).flatMap((pair) => lookIntoShared(site, pair).map(apartFrom(inner)));
+  const unseen = edges.map((edge) => unseenOf(site, edge, [...inner, ...shared, ...outer]));
   const byRoom = outlines.map((_, i) => unseen.filter((_, e) => edges[e].owner === i).flat());
   const tall = roomHeights(cloud, columns, outlines);
   const rooms = outlines.map((outline, i) => ({
@@ -112,11 +114,9 @@ export function planStorey(
       ...inner.flatMap(({ stretch, found: holes }, i) =>
         holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
       ),
-      ...shared
-        .flat()
-        .flatMap(({ stretch, found: holes }) =>
-          holes.map((hole) => placeOpening(hole, stretch, (hole.reveal || 0) / 2)),
-        ),
+      ...shared.flatMap(({ stretch, found: holes }) =>
+        holes.map((hole) => placeOpening(hole, stretch, (hole.reveal || 0) / 2)),
+      ),
     ]),
     outer,
     secondary,
@@ -159,7 +159,10 @@ function lookIntoShared(site: Site, { face, back, from, to }: FacePair): LookedI
     const look = { strip: wallStrip(cloud, columns, stretch), length, thickness: Infinity };
     const isThrough = throughAt(columns, stretch, USUAL_INNER / 2);
     const found = findOpenings({ ...look, noise, ceiling: height, isThrough });
-    return { stretch, found: found.filter(({ type }) => type !== 'window') };
+    return {
+      stretch,
+      found: found.filter(({ type, confidence }) => type !== 'window' && confidence >= SHARED_CONFIDENCE),
+    };
   });
   const isSurer = (own: FoundOpening, others: readonly FoundOpening[], isFirst: boolean) =>
     others.every(({ from: a, to: b, confidence }) => {
@@ -170,6 +173,23 @@ function lookIntoShared(site: Site, { face, back, from, to }: FacePair): LookedI
     { ...ahead, found: ahead.found.filter((own) => isSurer(own, behind.found, true)) },
     { ...behind, found: behind.found.filter((own) => isSurer(own, ahead.found, false)) },
   ];
+}
+
+/** Leaves out openings that a look from elsewhere has found already: rooms share a bit of a face beside the wall's own. */
+function apartFrom(others: readonly LookedInto[]) {
+  const taken = others.flatMap(({ stretch, found }) => found.map((hole) => middleOf(hole, stretch)));
+  return ({ stretch, found }: LookedInto): LookedInto => ({
+    stretch,
+    found: found.filter((hole) => {
+      const [x, y] = middleOf(hole, stretch);
+      return taken.every(([u, v]) => Math.hypot(x - u, y - v) > (hole.to - hole.from) / 2);
+    }),
+  });
+}
+
+function middleOf({ from, to }: FoundOpening, { x, y, ux, uy }: WallStretch): readonly [number, number] {
+  const along = (from + to) / 2;
+  return [x + along * ux, y + along * uy];
 }
 
 function lookIntoOuter(site: Site, edge: RoomEdge): LookedInto {
