@@ -16,11 +16,12 @@ import { localCeiling } from './columns/local-ceiling.ts';
 import type { StoreyHeights } from './find-storeys.ts';
 import { findFurniture } from './furniture/find-furniture.ts';
 import { type FoundOpening, findOpenings, placeOpening } from './openings/find-openings.ts';
+import { joinedOpenings } from './openings/joined-openings.ts';
 import { type WallStretch, type WallStrip, wallStrip } from './openings/wall-strip.ts';
 import { findRooms } from './space/find-rooms.ts';
 import { findStructures } from './structures/find-structures.ts';
 import { innerWalls } from './walls/inner-walls.ts';
-import { type FacePair, pairFaces } from './walls/pair-faces.ts';
+import { type FacePair, pairFaces, sharedFaces } from './walls/pair-faces.ts';
 import { primaryOutline } from './walls/primary-outline.ts';
 import { edgesOf, type RoomEdge } from './walls/room-edges.ts';
 import { roomHeights } from './walls/room-heights.ts';
@@ -28,6 +29,10 @@ import { unseenStretches } from './walls/unseen-stretches.ts';
 
 /** How deep an outer wall is looked into, m. */
 const DEEPEST = 0.8;
+/** How deep an inner wall is looked into where one of its faces was seen, m. */
+const DEEPEST_INNER = 0.4;
+/** An opening there is as sure as this: with no second face to agree, one jamb or a lintel alone may be furniture's. */
+const SHARED_CONFIDENCE = 0.5;
 /** Thickness of an inner wall where no two rooms share one, m: what the outline closes over then does not matter. */
 const USUAL_INNER = 0.12;
 /** Half thickness of a face, m, or so many deviations of its points. */
@@ -89,7 +94,8 @@ export function planStorey(
   const primary = primaryOutline(outlines, thickest).map((outline) => withArcs(outline, curves));
   const inner = pairs.map((pair) => lookIntoInner(site, pair));
   const outer = edgesOf(primary).map((edge) => lookIntoOuter(site, edge));
-  const unseen = edges.map((edge) => unseenOf(site, edge, [...inner, ...outer]));
+  const shared = sharedFaces(edges).flatMap((pair) => lookIntoShared(site, pair).map(apartFrom(inner)));
+  const unseen = edges.map((edge) => unseenOf(site, edge, [...inner, ...shared, ...outer]));
   const byRoom = outlines.map((_, i) => unseen.filter((_, e) => edges[e].owner === i).flat());
   const tall = roomHeights(cloud, columns, outlines);
   const rooms = outlines.map((outline, i) => ({
@@ -104,9 +110,14 @@ export function planStorey(
     primary,
     rooms,
     innerWalls: innerWalls(outlines, primary, pairs, byRoom),
-    innerOpenings: inner.flatMap(({ stretch, found: holes }, i) =>
-      holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
-    ),
+    innerOpenings: joinedOpenings([
+      ...inner.flatMap(({ stretch, found: holes }, i) =>
+        holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
+      ),
+      ...shared.flatMap(({ stretch, found: holes }) =>
+        holes.map((hole) => placeOpening(hole, stretch, (hole.reveal || 0) / 2)),
+      ),
+    ]),
     outer,
     secondary,
     unseen: byRoom.flatMap((gaps, i) => gaps.map((gap) => ({ ...gap, room: `Room ${i + 1}` }))),
@@ -130,6 +141,55 @@ function lookIntoInner(site: Site, { face, from, to, thickness }: FacePair): Loo
   const isThrough = throughAt(columns, stretch, thickness / 2);
   const found = findOpenings({ ...look, noise: site.noise, ceiling: site.height, isThrough });
   return { stretch, found };
+}
+
+/**
+ * Looks into a wall of which two rooms share the one face that was seen: it may stand on either side of that, and where both
+ * show an opening at a place, the surer one holds.
+ */
+function lookIntoShared(site: Site, { face, back, from, to }: FacePair): LookedInto[] {
+  const alongBack = (x: number, y: number) => (x - back.ax) * back.ux + (y - back.ay) * back.uy;
+  const begin = alongBack(face.ax + to * face.ux, face.ay + to * face.uy);
+  const length = to - from;
+  const [ahead, behind] = [
+    stretchAt(face, from, to, DEEPEST_INNER),
+    stretchAt(back, begin, begin + length, DEEPEST_INNER),
+  ].map((stretch): LookedInto => {
+    const { cloud, columns, noise, height } = site;
+    const look = { strip: wallStrip(cloud, columns, stretch), length, thickness: Infinity };
+    const isThrough = throughAt(columns, stretch, USUAL_INNER / 2);
+    const found = findOpenings({ ...look, noise, ceiling: height, isThrough });
+    return {
+      stretch,
+      found: found.filter(({ type, confidence }) => type !== 'window' && confidence >= SHARED_CONFIDENCE),
+    };
+  });
+  const isSurer = (own: FoundOpening, others: readonly FoundOpening[], isFirst: boolean) =>
+    others.every(({ from: a, to: b, confidence }) => {
+      const meets = length - b < own.to && own.from < length - a;
+      return !meets || own.confidence > confidence || (isFirst && own.confidence === confidence);
+    });
+  return [
+    { ...ahead, found: ahead.found.filter((own) => isSurer(own, behind.found, true)) },
+    { ...behind, found: behind.found.filter((own) => isSurer(own, ahead.found, false)) },
+  ];
+}
+
+/** Leaves out openings that a look from elsewhere has found already: rooms share a bit of a face beside the wall's own. */
+function apartFrom(others: readonly LookedInto[]) {
+  const taken = others.flatMap(({ stretch, found }) => found.map((hole) => middleOf(hole, stretch)));
+  return ({ stretch, found }: LookedInto): LookedInto => ({
+    stretch,
+    found: found.filter((hole) => {
+      const [x, y] = middleOf(hole, stretch);
+      return taken.every(([u, v]) => Math.hypot(x - u, y - v) > (hole.to - hole.from) / 2);
+    }),
+  });
+}
+
+function middleOf({ from, to }: FoundOpening, { x, y, ux, uy }: WallStretch): readonly [number, number] {
+  const along = (from + to) / 2;
+  return [x + along * ux, y + along * uy];
 }
 
 function lookIntoOuter(site: Site, edge: RoomEdge): LookedInto {

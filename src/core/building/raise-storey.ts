@@ -2,6 +2,7 @@ import type { Options } from '../params.ts';
 import { medianOf } from '../robust-scale.ts';
 import type { Opening, Storey, Wall } from '../types.ts';
 import { placeOpening } from './openings/find-openings.ts';
+import { joinedOpenings } from './openings/joined-openings.ts';
 import type { StoreyPlan } from './plan-storey.ts';
 import { outerWalls } from './walls/outer-walls.ts';
 import { sidesOf } from './walls/wall-sides.ts';
@@ -53,10 +54,11 @@ function outerShell(
     const isKnown = reveals[side].length > 0;
     return { ...wall, confidence: 1, ...(!isKnown && { isThicknessInferred: true }) };
   });
-  const openings = sides.flatMap(({ edges }, i) =>
+  const placed = sides.flatMap(({ edges }, i) =>
     edges.flatMap((edge) =>
       outer[edge].found.map((hole) => placeOpening(hole, outer[edge].stretch, thicknesses[i] / 2)),
     ),
   );
+  const openings = joinedOpenings(placed);
   return { walls, openings };
 }

@@ -1,4 +1,4 @@
-import type { Opening } from '../../types.ts';
+import type { PlacedOpening } from './joined-openings.ts';
 import { faceHeights, revealLevels, type Stretch } from './opening-heights.ts';
 import { type VoidPart, voidParts } from './void-parts.ts';
 import { FEWEST, faceBand, STEP, type WallLook } from './wall-look.ts';
@@ -13,8 +13,8 @@ const LEAST_OPEN = 0.3;
 /** A door's sill is no higher, its head no lower, m. */
 const DOOR_SILL = 0.15;
 const LEAST_HEAD = 1.8;
-/** An opening whose head is this near the ceiling has no lintel, m. */
-const NO_LINTEL = 0.12;
+/** An opening whose head is this near the ceiling has no lintel, m: points nearer to it are the ceiling's. */
+const NO_LINTEL = 0.1;
 /** Reveals are so near an opening's ends, m … */
 const REVEAL_REACH = 0.05;
 /** … and as deep as this share of their points, a few astray. */
@@ -40,7 +40,8 @@ export interface FoundOpening {
  *
  * A void at eye height in every face of the wall may be an opening or hidden. Reveals tell: points within the wall, which
  * stand upright at jambs and lie level at sills and heads. Jambs part a void; a part is an opening where sill or head is seen
- * over most of its width, or where the scan sees through beside a jamb. O(points).
+ * over most of its width, where the scan sees through beside a jamb, or where both faces of the wall end at both its sides: no two
+ * things hide the two faces alike. O(points).
  */
 export function findOpenings(look: WallLook): FoundOpening[] {
   const band = faceBand(look);
@@ -54,8 +55,8 @@ function openingIn(look: WallLook, part: VoidPart, band: number): FoundOpening |
   // A closed leaf has points at all heights, so that only the faces beside it tell.
   const { head, sill } = isClosed ? { head: null, sill: null } : revealLevels(look.strip, reveals, stretch);
   const through = throughShare(look, stretch);
-  const isSeenThrough = Number.isFinite(look.thickness) && jambs > 0 && through >= THROUGH_SHARE;
-  if (head === null && sill === null && !isSeenThrough && !isClosed) return null;
+  const isSeenThrough = jambs > 0 && through >= THROUGH_SHARE;
+  if (head === null && sill === null && !isSeenThrough && !isClosed && !part.isFramed) return null;
   const faces = faceHeights(look, stretch, band);
   const [bottom, top] = [sill ?? faces.sill, head ?? faces.head];
   if (top - bottom < LEAST_OPEN) return null;
@@ -94,9 +95,13 @@ function throughShare({ isThrough }: WallLook, { begin, end }: Stretch): number 
 /** A hole of a stretch of wall in the plan, its line `deep` behind the face, m. */
 export function placeOpening(
   { type, from, to, sill, head, confidence }: FoundOpening,
-  { x, y, ux, uy }: WallStretch,
+  { x, y, ux, uy, length }: WallStretch,
   deep: number,
-): Opening {
+): PlacedOpening {
   const at = (along: number) => [x + along * ux + deep * uy, y + along * uy - deep * ux] as const;
-  return { type, from: at(from), to: at(to), sill, head, confidence };
+  return {
+    opening: { type, from: at(from), to: at(to), sill, head, confidence },
+    isCutBefore: from <= STEP,
+    isCutAfter: to >= length - STEP,
+  };
 }

@@ -10,6 +10,8 @@ const NARROWEST = 0.4;
 const WIDEST = 6;
 /** Points nearer to floor or ceiling than this are theirs, m. */
 const OFF_PLANE = 0.1;
+/** The void in one face of a wall ends within so many bits of that in the other where both are an opening's. */
+const FRAME_BITS = 3;
 /** A reveal has no gap in depth wider than this, m. */
 const DEPTH_GAP = 0.12;
 /** Reach around the end of a void in which its jamb is looked for, m. */
@@ -40,30 +42,48 @@ export interface VoidPart {
   readonly reveals: readonly number[];
   /** A leaf or a shutter fills it. */
   readonly isClosed: boolean;
+  /** Both faces of a wall end at both its ends. */
+  readonly isFramed: boolean;
 }
 
 /** The stretches of a wall that are void at eye height, parted at jambs. O(points · log points). */
 export function voidParts(look: WallLook, band: number): VoidPart[] {
   const inside = revealPoints(look, band);
-  return voidsOf(look, band).flatMap(([from, to]) => {
+  return voidsOf(look, band).flatMap(({ from, to, isFramed }) => {
     const { along } = look.strip;
     const near = inside.filter((i) => along[i] > from - JAMB_REACH && along[i] < to + JAMB_REACH);
-    const hole = { from, to, reveals: nearFace(look, near) };
-    if (isClosed(look, hole)) return [{ ...hole, jambs: 0, isClosed: true }];
+    const hole = { from, to, isFramed, reveals: nearFace(look, near) };
+    if (isClosed(look, hole)) return [{ ...hole, jambs: 0, isClosed: true, isFramed: false }];
     return partsOf(look, { ...hole, reveals: withoutPanes(look, hole.reveals) });
   });
 }
 
 /** Stretches along which nothing stands at eye height. */
-function voidsOf({ strip, length, thickness }: WallLook, band: number): [number, number][] {
+function voidsOf(
+  { strip, length, thickness }: WallLook,
+  band: number,
+): { from: number; to: number; isFramed: boolean }[] {
   const front = standing(strip, length, (d) => Math.abs(d) <= band);
   const back = Number.isFinite(thickness)
     ? standing(strip, length, (d) => Math.abs(d - thickness) <= band)
     : front;
   const isVoid = front.map((share, k) => (share <= STANDING && back[k] <= STANDING ? 1 : 0));
   return runsOf(isVoid)
-    .map(([from, to]): [number, number] => [from * STEP, Math.min(length, to * STEP)])
-    .filter(([from, to]) => to - from >= NARROWEST - 2 * STEP);
+    .map(([begin, end]) => ({
+      from: begin * STEP,
+      to: Math.min(length, end * STEP),
+      isFramed:
+        Number.isFinite(thickness) &&
+        [front, back].every(
+          (face) => stands(face, begin - FRAME_BITS, begin) && stands(face, end, end + FRAME_BITS),
+        ),
+    }))
+    .filter(({ from, to }) => to - from >= NARROWEST - 2 * STEP);
+}
+
+/** Whether a face stands somewhere between two bits along it. */
+function stands(shares: Float64Array, begin: number, end: number): boolean {
+  return shares.subarray(Math.max(0, begin), end).some((share) => share > STANDING);
 }
 
 /** Share of the bits at eye height that have points, for each bit along a face. */
@@ -139,6 +159,7 @@ function partsOf(look: WallLook, hole: Void): VoidPart[] {
       jambs: Number(left.isJamb) + Number(right.isJamb),
       reveals: hole.reveals,
       isClosed: false,
+      isFramed: hole.isFramed && ends.length === 2,
     });
   }
   return parts;

@@ -23,7 +23,10 @@ export interface FacePair {
 export function pairFaces(edges: readonly RoomEdge[]): FacePair[] {
   const pairs: FacePair[] = [];
   edges.forEach((face, i) => {
-    const backs = edges.flatMap((back, j) => (j === i ? [] : (facing(face, back) ?? [])));
+    const backs = edges.flatMap((back, j) => {
+      const pair = j === i ? null : facing(face, back);
+      return pair && pair.thickness >= THINNEST && pair.thickness <= THICKEST ? [pair] : [];
+    });
     backs.sort((a, b) => a.thickness - b.thickness || a.from - b.from);
     const free: [number, number][] = [[0, face.length]];
     for (const pair of backs) {
@@ -36,6 +39,21 @@ export function pairFaces(edges: readonly RoomEdge[]): FacePair[] {
   return pairs;
 }
 
+/**
+ * Stretches that two rooms share without a wall's thickness between them: walls of which one face was seen.
+ *
+ * O(edges²) comparisons.
+ */
+export function sharedFaces(edges: readonly RoomEdge[]): FacePair[] {
+  return edges.flatMap((face, i) =>
+    edges.slice(i + 1).flatMap((back) => {
+      const pair = back.owner === face.owner ? null : facing(face, back);
+      return pair && Math.abs(pair.thickness) < THINNEST ? [pair] : [];
+    }),
+  );
+}
+
+/** Where an edge has another one opposite, however near or far. */
 function facing(face: RoomEdge, back: RoomEdge): FacePair | null {
   if (face.ux * back.ux + face.uy * back.uy > -PARALLEL) return null;
   const along = (x: number, y: number) => (x - face.ax) * face.ux + (y - face.ay) * face.uy;
@@ -44,7 +62,6 @@ function facing(face: RoomEdge, back: RoomEdge): FacePair | null {
   const to = Math.min(face.length, along(back.ax, back.ay));
   if (to - from < SHORTEST) return null;
   const thickness = (aside(back.ax, back.ay) + aside(back.bx, back.by)) / 2;
-  if (thickness < THINNEST || thickness > THICKEST) return null;
   return { face, back, from, to, thickness };
 }
 
