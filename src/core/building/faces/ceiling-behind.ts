@@ -1,7 +1,8 @@
 import type { PointCloud } from '../../types.ts';
-import { columnAt, type HeightColumns } from '../columns/height-columns.ts';
+import type { HeightColumns } from '../columns/height-columns.ts';
 import { isSharp, ON_CEILING } from './ceiling-across.ts';
-import { alongOf, asideOf, type Face, pointOn } from './face.ts';
+import { alongOf, asideOf, type Face } from './face.ts';
+import { columnsAlong } from './face-bits.ts';
 
 /** The ceiling is looked for so far behind a face, m: past the thickest inner wall. */
 const FARTHEST = 0.5;
@@ -31,20 +32,15 @@ export function ceilingBehind(
 ): number {
   if (!isSharp(face)) return Infinity;
   const { size, overhead, overPoints, overStart } = columns;
-  const visited = new Set<number>();
+  const bits = { from, step: size / 2, count: Math.ceil((2 * (to - from)) / size) };
   const away: number[] = [];
-  for (let along = from; along < to; along += size / 2) {
-    for (let across = 0; across < FARTHEST; across += size / 2) {
-      const c = columnAt(columns, ...pointOn(face, along, side * across));
-      if (c < 0 || visited.has(c)) continue;
-      visited.add(c);
-      for (let p = overStart[c]; p < overStart[c + 1]; p++) {
-        const i = 3 * overPoints[p];
-        if (positions[i + 2] <= overhead[c] - ON_CEILING) continue;
-        const t = alongOf(face, positions[i], positions[i + 1]);
-        const aside = side * asideOf(face, positions[i], positions[i + 1]);
-        if (t >= from && t < to && aside > NOISES * face.noise && aside < FARTHEST) away.push(aside);
-      }
+  for (const c of columnsAlong(columns, face, bits, FARTHEST)) {
+    for (let p = overStart[c]; p < overStart[c + 1]; p++) {
+      const i = 3 * overPoints[p];
+      if (positions[i + 2] <= overhead[c] - ON_CEILING) continue;
+      const t = alongOf(face, positions[i], positions[i + 1]);
+      const aside = side * asideOf(face, positions[i], positions[i + 1]);
+      if (t >= from && t < to && aside > NOISES * face.noise && aside < FARTHEST) away.push(aside);
     }
   }
   if (away.length < FEWEST) return Infinity;

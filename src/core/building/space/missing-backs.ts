@@ -8,12 +8,10 @@ import { pairFaces } from '../walls/pair-faces.ts';
 import { edgesOf } from '../walls/room-edges.ts';
 import { type BlindSite, blindSide } from './blind-side.ts';
 import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
+import { THICKEST_WALL, THINNEST_WALL } from './wall-corners.ts';
 
 /** Thickness of an inner wall where no other tells, m: a stud wall. */
 const USUAL_THICKNESS = 0.12;
-/** Faces nearer or farther than this are no two of one inner wall, m. */
-const THINNEST = 0.04;
-const THICKEST = 0.4;
 /** What is seen over less than this, m, may be a column or furniture, and no wall. */
 const SHORTEST_WALL = 0.6;
 /** The beginning of the ceiling behind a wall is told this well, m. */
@@ -60,9 +58,9 @@ function backOf(stretch: LineStretch, walls: WallFaces, site: BlindSite, usual: 
   const side = blindSide(site, face, from, to);
   if (side === 0) return null;
   const thickest = ceilingBehind(site.cloud, site.columns, face, { from, to, side });
-  const other = otherFace(walls.faces, stretch, side, Math.min(THICKEST, thickest + CEILING_ERROR));
+  const other = otherFace(walls.faces, stretch, side, Math.min(THICKEST_WALL, thickest + CEILING_ERROR));
   if (other === null && !isParting && !isWallWithin(walls, stretch)) return null;
-  const thickness = Math.max(THINNEST, Math.min(usual, thickest));
+  const thickness = Math.max(THINNEST_WALL, Math.min(usual, thickest));
   const back = other ?? { ...face, offset: face.offset + side * thickness };
   const [low, high] = [from, to].map((along) => alongOf(back, ...pointOn(face, along))).sort((a, b) => a - b);
   const shares = new Float64Array(Math.ceil((to - from + 2 * OVERLAP) / STEP)).fill(TAKEN_SHARE);
@@ -91,7 +89,7 @@ function otherFace(
     if (other === face || other.arc || !isParallel(face, other)) continue;
     const turn = Math.sign(face.nx * other.nx + face.ny * other.ny);
     const aside = -side * turn * asideOf(other, ...pointOn(face, (from + to) / 2));
-    if (aside < THINNEST || aside > thickest) continue;
+    if (aside < THINNEST_WALL || aside > thickest) continue;
     const [low, high] = endsOf(other)
       .map((end) => alongOf(face, ...end))
       .sort((a, b) => a - b);

@@ -1,7 +1,7 @@
 import type { SeenSpace } from '../columns/seen-space.ts';
 import { alongOf, asideOf, crossingOf, type Face, isParallel, pointOn } from '../faces/face.ts';
 import { type FaceSupport, TAKEN_SHARE, WALL_SHARE } from '../faces/face-support.ts';
-import { LONGEST, NEAR_END, OPEN_SHARE, THICKEST_WALL, withCorners } from './wall-corners.ts';
+import { LONGEST, NEAR_END, OPEN_SHARE, THICKEST_WALL, THINNEST_WALL, withCorners } from './wall-corners.ts';
 
 /** Widest passage that a wall is taken to go on over, m. */
 const WIDEST_PASSAGE = 2.5;
@@ -16,9 +16,6 @@ const INSIDE = 0.05;
 const IN_ROOM = [0.2, 0.3];
 /** Behind a stretch as long as a cupboard is deep, m, on which nothing was seen, anything may stand. */
 const HIDDEN = 0.6;
-
-/** Two faces nearer than this make no wall, m. */
-const THINNEST_WALL = 0.04;
 
 /** A wall that crosses bounds a gap if it stands so far off it, m: more than a wall is thick, or past a door. */
 const PASSING = [0.6, 0.9, 1.2, 1.5];

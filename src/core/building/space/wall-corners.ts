@@ -12,7 +12,8 @@ export const LONGEST = 3.5;
 const SHORTEST_WALL = 0.6;
 /** A wall ends at a corner this near its end, m: what was seen of it is told in bits. */
 const AT_CORNER = 0.1;
-/** Two faces farther apart make no inner wall, m. */
+/** Two faces nearer or farther apart make no inner wall, m. */
+export const THINNEST_WALL = 0.04;
 export const THICKEST_WALL = 0.4;
 /** Space goes on across a wall's line if it is open this far off it on both sides, m: where a wall stands, one is inside it. */
 const BESIDE = 0.05;
