@@ -17,6 +17,12 @@ import { writeFolder } from './write-folder.ts';
 
 declare const GRUNDRISS_VERSION: string;
 
+// Who reads the output may leave before its end, as `head` does; the files are written all the same.
+for (const stream of [process.stdout, process.stderr]) {
+  stream.on('error', (error: NodeJS.ErrnoException) => {
+    if (error.code !== 'EPIPE') throw error;
+  });
+}
 process.exitCode = await main(process.argv.slice(2));
 
 /** @returns the exit code: 0 done, 2 options, 3 input, 4 no plan, 5 environment, 130, 70 */

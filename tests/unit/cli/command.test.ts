@@ -1,4 +1,4 @@
-import { execFile } from 'node:child_process';
+import { execFile, spawn } from 'node:child_process';
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
@@ -86,6 +86,21 @@ describe('a good scan', () => {
       if (name === 'report.json') continue;
       expect((await readFile(join(a, name))).equals(await readFile(join(b, name))), name).toBe(true);
     }
+  });
+
+  it('is written whole when nobody reads the report to its end', async () => {
+    const out = join(folder, 'unread');
+    const words = [join(root, 'dist/cli.js'), hallway, '-o', out, '--formats', 'svg'];
+    const child = spawn(process.execPath, words, { stdio: ['ignore', 'pipe', 'pipe'] });
+    child.stdout.destroy();
+    let said = '';
+    child.stderr.on('data', (part) => {
+      said += part;
+    });
+    const exitCode = await new Promise((done) => child.on('close', done));
+    expect(said).toBe('');
+    expect(exitCode).toBe(0);
+    expect(await readdir(out)).toContain('plan.svg');
   });
 
   it('writes several inputs into folders and only the formats asked for', async () => {
