@@ -12,8 +12,8 @@ const TELLING_SHARE = 0.3;
 const LEAST_FLOOR_SHARE = 0.3;
 /** A ceiling's share; suspended ones and beams leave little of it. */
 const LEAST_CEILING_SHARE = 0.1;
-/** Thickest slab with what hangs below it, m. */
-const THICKEST_SLAB = 1.2;
+/** Thickest slab with what hangs below it, m: ducts over the ceiling of an office; less than a storey. */
+const THICKEST_SLAB = 1.8;
 
 /** A plane's height is refined so often, from points within so many deviations of it, at least within LEAST_REACH, m. */
 const REFINEMENTS = 3;

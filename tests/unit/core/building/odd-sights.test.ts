@@ -98,3 +98,11 @@ it('stairs lose no room, above or below', async () => {
   expect(measures).toMatchObject({ roomRecall: 1, invalidCount: 0 });
   expect(measures.footprintIou).toBeGreaterThan(0.99);
 });
+
+it('storeys with ducts between them are two', async () => {
+  const [home] = sampleHome().storeys;
+  const storeys = [home, { ...home, floor: home.height + 1.5 }];
+  const { plan, measures } = await measured({ name: 'ducts', building: { name: 'ducts', storeys } });
+  expect(plan.storeys).toHaveLength(2);
+  expect(measures.roomF1).toBe(1);
+});
