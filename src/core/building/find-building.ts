@@ -19,11 +19,21 @@ export function findBuilding(
 ): readonly StoreyPlan[] {
   if (planMethod === 'outline' || cloud.isFlat) return [];
   const heights = findStoreys(cloud, kept);
-  const storeys = heights.flatMap((own, i) => {
+  const plans = heights.map((own, i) => {
     progress(i / heights.length);
-    const storey = planStorey(cloud, kept, own, furniture);
-    return storey.rooms.length > 0 ? [storey] : [];
+    return planStorey(cloud, kept, own, furniture);
   });
+  const storeys = plans.filter(({ rooms }) => rooms.length > 0);
+  if (storeys.length > 0) {
+    for (const [i, { rooms, floor, ceiling }] of plans.entries()) {
+      if (rooms.length > 0) continue;
+      warn({
+        code: 'rooms/storey-left-out',
+        message: `Storey ${i + 1} of ${plans.length}, from below, ${(ceiling - floor).toFixed(2)} m high, is left out: no walls close around most of the floor or ceiling seen there.`,
+        hint: 'Crop the scan to its heights to have its outline drawn.',
+      });
+    }
+  }
   if (storeys.some(({ isOpenAbove }) => isOpenAbove)) {
     warn({
       code: 'rooms/no-ceiling',

@@ -106,3 +106,22 @@ it('storeys with ducts between them are two', async () => {
   expect(plan.storeys).toHaveLength(2);
   expect(measures.roomF1).toBe(1);
 });
+
+it('a storey without walls, under a home, is left out and said to be', async () => {
+  const [home] = sampleHome().storeys;
+  const { positions } = simulate({
+    name: 'carport',
+    building: { name: 'carport', storeys: [{ ...home, floor: 3 }] },
+    scan: SCAN,
+  });
+  const open: number[] = [];
+  for (let x = 0; x < 10; x += 0.05) for (let y = 0; y < 9; y += 0.05) open.push(x, y, 0, x, y, 2.7);
+  const all = Float64Array.from([...positions, ...open]);
+  const session = new Session({ strokeTest: createStrokeTest() });
+  const { plan } = await session.load(blobSource(new Blob([writePly({ positions: all })]), 'carport.ply'), {
+    up: 'z',
+  });
+  expect(plan.storeys).toHaveLength(1);
+  expect(plan.storeys[0].rooms).toHaveLength(6);
+  expect(plan.warnings.map(({ code }) => code)).toContain('rooms/storey-left-out');
+});
