@@ -4,14 +4,12 @@ import { isSharp } from '../faces/ceiling-across.ts';
 import { ceilingBehind } from '../faces/ceiling-behind.ts';
 import { alongOf, asideOf, endsOf, isParallel, pointOn } from '../faces/face.ts';
 import { type FaceSupport, STEP, TAKEN_SHARE, WALL_SHARE } from '../faces/face-support.ts';
-import { pairFaces } from '../walls/pair-faces.ts';
+import { pairFaces, USUAL_THICKNESS } from '../walls/pair-faces.ts';
 import { edgesOf } from '../walls/room-edges.ts';
 import { type BlindSite, blindSide } from './blind-side.ts';
 import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
 import { THICKEST_WALL, THINNEST_WALL } from './wall-corners.ts';
 
-/** Thickness of an inner wall where no other tells, m: a stud wall. */
-const USUAL_THICKNESS = 0.12;
 /** What is seen over less than this, m, may be a column or furniture, and no wall. */
 const SHORTEST_WALL = 0.6;
 /** The beginning of the ceiling behind a wall is told this well, m. */

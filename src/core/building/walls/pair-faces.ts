@@ -1,5 +1,7 @@
 import type { RoomEdge } from './room-edges.ts';
 
+/** Thickness of an inner wall where no other tells, m: a stud wall. */
+export const USUAL_THICKNESS = 0.12;
 /** Thinnest wall, m: a glass or board partition. */
 const THINNEST = 0.03;
 /** Thickest wall between two rooms, m; farther apart, something else is between. */
