@@ -1,6 +1,6 @@
 import type { PlacedOpening } from './joined-openings.ts';
 import { faceHeights, revealLevels, type Stretch } from './opening-heights.ts';
-import { type VoidPart, voidParts } from './void-parts.ts';
+import { leafParts, type VoidPart, voidParts } from './void-parts.ts';
 import { FEWEST, faceBand, STEP, type WallLook } from './wall-look.ts';
 import type { WallStretch, WallStrip } from './wall-strip.ts';
 
@@ -41,11 +41,15 @@ export interface FoundOpening {
  * A void at eye height in every face of the wall may be an opening or hidden. Reveals tell: points within the wall, which
  * stand upright at jambs and lie level at sills and heads. Jambs part a void; a part is an opening where sill or head is seen
  * over most of its width, where the scan sees through beside a jamb, or where both faces of the wall end at both its sides: no two
- * things hide the two faces alike. O(points).
+ * things hide the two faces alike. Leaves that noise put on the face come second: where they came first, a leaf and what is left of
+ * the wall beside it took the place of windows and passages (2 of 74 buildings worse, for one that is better). O(points).
  */
 export function findOpenings(look: WallLook): FoundOpening[] {
   const band = faceBand(look);
-  return voidParts(look, band).flatMap((part) => openingIn(look, part, band) ?? []);
+  const open = voidParts(look, band).flatMap((part) => openingIn(look, part, band) ?? []);
+  const leaves = leafParts(look, band).flatMap((part) => openingIn(look, part, band) ?? []);
+  const isApart = (leaf: FoundOpening) => open.every(({ from, to }) => to <= leaf.from || from >= leaf.to);
+  return [...open, ...leaves.filter(isApart)];
 }
 
 function openingIn(look: WallLook, part: VoidPart, band: number): FoundOpening | null {
@@ -57,7 +61,7 @@ function openingIn(look: WallLook, part: VoidPart, band: number): FoundOpening |
   const through = throughShare(look, stretch);
   const isSeenThrough = jambs > 0 && through >= THROUGH_SHARE;
   if (head === null && sill === null && !isSeenThrough && !isClosed && !part.isFramed) return null;
-  const faces = faceHeights(look, stretch, band);
+  const faces = faceHeights(look, stretch, band, isClosed);
   const [bottom, top] = [sill ?? faces.sill, head ?? faces.head];
   if (top - bottom < LEAST_OPEN) return null;
   const isLow = bottom <= DOOR_SILL && top >= LEAST_HEAD;

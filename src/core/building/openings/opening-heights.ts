@@ -1,4 +1,5 @@
 import { medianOf } from '../../robust-scale.ts';
+import { DEEPEST_LEAF, LEAST_RECESS } from './void-parts.ts';
 import { FEWEST, LOOK_FROM, LOOK_TO, STEP, type WallLook } from './wall-look.ts';
 import type { WallStrip } from './wall-strip.ts';
 
@@ -53,9 +54,18 @@ function densest(values: readonly number[]): number {
   return best;
 }
 
-/** Heights above the floor, m, between which no face stands over most of a stretch, around eye height. */
-export function faceHeights(look: WallLook, stretch: Stretch, band: number): { head: number; sill: number } {
-  const isWall = standingRows(look, stretch, band);
+/**
+ * Heights above the floor, m, between which no face stands over most of a stretch, around eye height; of a closed leaf, between
+ * which what is there stands back.
+ */
+export function faceHeights(
+  look: WallLook,
+  stretch: Stretch,
+  band: number,
+  isClosed: boolean,
+): { head: number; sill: number } {
+  const standsBack = isClosed ? recessedRows(look, stretch) : [];
+  const isWall = standingRows(look, stretch, band).map((isStanding, row) => isStanding && !standsBack[row]);
   const middle = Math.round((LOOK_FROM + LOOK_TO) / 2 / STEP);
   let top = middle;
   while (top < isWall.length && !isWall[top]) top++;
@@ -65,6 +75,17 @@ export function faceHeights(look: WallLook, stretch: Stretch, band: number): { h
     head: top >= isWall.length ? look.ceiling : top * STEP,
     sill: bottom < 0 ? 0 : (bottom + 1) * STEP,
   };
+}
+
+/** Whether what is at the face of a stretch lies behind it, as a leaf does, for each bit of height. */
+function recessedRows({ strip, ceiling }: WallLook, { begin, end }: Stretch): boolean[] {
+  const { count, along, deep, high } = strip;
+  const depths: number[][] = Array.from({ length: Math.ceil(ceiling / STEP) }, () => []);
+  for (let i = 0; i < count; i++) {
+    if (along[i] < begin || along[i] >= end || Math.abs(deep[i]) > DEEPEST_LEAF) continue;
+    depths[Math.floor(high[i] / STEP)]?.push(deep[i]);
+  }
+  return depths.map((own) => own.length >= FEWEST && medianOf(Float64Array.from(own)) > LEAST_RECESS);
 }
 
 /** Whether a face stands over a stretch, for each bit of height. */

@@ -25,8 +25,10 @@ const LEAST_JAMB = 0.4;
 const ABOVE_LOOK = 0.1;
 
 /** A closed leaf stands no deeper in the wall than this, m, is flat within so much, fills so much of its void … */
-const DEEPEST_LEAF = 0.15;
+export const DEEPEST_LEAF = 0.15;
 const LEAF_FLATNESS = 0.03;
+/** A leaf stands back from the face by more than a face is off its wall, m. */
+export const LEAST_RECESS = 0.03;
 const LEAF_SHARE = 0.6;
 /** … in bits of this size, m, and is no wider than this, m: two leaves. */
 const LEAF_STEP = 0.1;
@@ -48,25 +50,53 @@ export interface VoidPart {
 
 /** The stretches of a wall that are void at eye height, parted at jambs. O(points · log points). */
 export function voidParts(look: WallLook, band: number): VoidPart[] {
-  const inside = revealPoints(look, band);
-  return voidsOf(look, band).flatMap(({ from, to, isFramed }) => {
-    const { along } = look.strip;
-    const near = inside.filter((i) => along[i] > from - JAMB_REACH && along[i] < to + JAMB_REACH);
-    const hole = { from, to, isFramed, reveals: nearFace(look, near) };
-    if (isClosed(look, hole)) return [{ ...hole, jambs: 0, isClosed: true, isFramed: false }];
+  return holesOf(look, band, facesOf(look, band)).flatMap((hole) => {
+    if (isClosed(look, hole)) return [leafIn(hole)];
     return partsOf(look, { ...hole, reveals: withoutPanes(look, hole.reveals) });
   });
 }
 
-/** Stretches along which nothing stands at eye height. */
-function voidsOf(
-  { strip, length, thickness }: WallLook,
-  band: number,
-): { from: number; to: number; isFramed: boolean }[] {
+/**
+ * The stretches of a wall that a leaf closes, where most points at eye height lie behind the face: it stands back in its frame,
+ * but noise puts so many of its points on the face that few of them are void. O(points · log points).
+ */
+export function leafParts(look: WallLook, band: number): VoidPart[] {
+  const [front, back] = facesOf(look, band);
+  const standsBack = recesses(look.strip, look.length);
+  const leaf = front.map((share, c) => (standsBack[c] === 1 ? 0 : share));
+  return holesOf(look, band, [leaf, back === front ? leaf : back])
+    .filter((hole) => isClosed(look, hole))
+    .map(leafIn);
+}
+
+function leafIn(hole: Void): VoidPart {
+  return { ...hole, jambs: 0, isClosed: true, isFramed: false };
+}
+
+/** The voids of a wall with the points of their reveals. */
+function holesOf(look: WallLook, band: number, faces: readonly [Float64Array, Float64Array]): Void[] {
+  const inside = revealPoints(look, band);
+  const { along } = look.strip;
+  return voidsOf(look, faces).map(({ from, to, isFramed }) => {
+    const near = inside.filter((i) => along[i] > from - JAMB_REACH && along[i] < to + JAMB_REACH);
+    return { from, to, isFramed, reveals: nearFace(look, near) };
+  });
+}
+
+/** Share of the bits at eye height that stand in the two faces of a wall, for each bit along it; one twice where no other is known. */
+function facesOf({ strip, length, thickness }: WallLook, band: number): [Float64Array, Float64Array] {
   const front = standing(strip, length, (d) => Math.abs(d) <= band);
-  const back = Number.isFinite(thickness)
-    ? standing(strip, length, (d) => Math.abs(d - thickness) <= band)
-    : front;
+  return [
+    front,
+    Number.isFinite(thickness) ? standing(strip, length, (d) => Math.abs(d - thickness) <= band) : front,
+  ];
+}
+
+/** Stretches along which neither face stands at eye height. */
+function voidsOf(
+  { length, thickness }: WallLook,
+  [front, back]: readonly [Float64Array, Float64Array],
+): Omit<Void, 'reveals'>[] {
   const isVoid = front.map((share, k) => (share <= STANDING && back[k] <= STANDING ? 1 : 0));
   return runsOf(isVoid)
     .map(([begin, end]) => ({
@@ -84,6 +114,22 @@ function voidsOf(
 /** Whether a face stands somewhere between two bits along it. */
 function stands(shares: Float64Array, begin: number, end: number): boolean {
   return shares.subarray(Math.max(0, begin), end).some((share) => share > STANDING);
+}
+
+/**
+ * 1 for each bit along a face whose points at eye height lie behind it: of a leaf in its frame, noise puts many on the face,
+ * so that it is no void by their count.
+ */
+function recesses({ count, along, deep, high }: WallStrip, length: number): Uint8Array {
+  const columns = Math.max(1, Math.ceil(length / STEP));
+  const depths: number[][] = Array.from({ length: columns }, () => []);
+  for (let i = 0; i < count; i++) {
+    if (high[i] < LOOK_FROM || high[i] >= LOOK_TO || Math.abs(deep[i]) > DEEPEST_LEAF) continue;
+    depths[Math.min(columns - 1, Math.floor(along[i] / STEP))].push(deep[i]);
+  }
+  return Uint8Array.from(depths, (own) =>
+    own.length >= FEWEST && medianOf(Float64Array.from(own)) > LEAST_RECESS ? 1 : 0,
+  );
 }
 
 /** Share of the bits at eye height that have points, for each bit along a face. */

@@ -172,6 +172,11 @@ it('a closed door stands back in its frame, and is a door', async () => {
   expect(Math.abs(Math.hypot(door.to[0] - door.from[0], door.to[1] - door.from[1]) - 0.8)).toBeLessThan(0.1);
 });
 
+it('a closed door is one in noise that puts half of its points on the face, too', async () => {
+  const { measures } = await make(corpusScene('one-room-cupboards-160'));
+  expect(measures).toMatchObject({ doorF1: 1, roomF1: 1 });
+});
+
 it('a garden wall has no rooms, and says so', async () => {
   const rows = ['x,y,z'];
   for (let i = 0; i < 400; i++)
