@@ -41,8 +41,8 @@ export interface FoundOpening {
  * A void at eye height in every face of the wall may be an opening or hidden. Reveals tell: points within the wall, which
  * stand upright at jambs and lie level at sills and heads. Jambs part a void; a part is an opening where sill or head is seen
  * over most of its width, where the scan sees through beside a jamb, or where both faces of the wall end at both its sides: no two
- * things hide the two faces alike. Leaves that noise put on the face come second: where they came first, a leaf and what is left of
- * the wall beside it took the place of windows and passages (2 of 74 buildings worse, for one that is better). O(points).
+ * things hide the two faces alike. Leaves that noise put on the face come second: where they came first, they took the place of
+ * windows and drew false openings (of 84 clouds 3 worse, 1 better). O(points).
  */
 export function findOpenings(look: WallLook): FoundOpening[] {
   const band = faceBand(look);
