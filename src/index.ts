@@ -27,7 +27,7 @@ export type { ByteSource } from './read/bytes/source.ts';
 export { urlSource } from './read/bytes/url-source.ts';
 export { READ_FORMATS } from './read/formats.ts';
 export { makeReport, type Report } from './session/report.ts';
-export type { RunResult } from './session/result.ts';
+export { isOfScan, type RunResult, type ScanResult } from './session/result.ts';
 export { Session, type SessionControl } from './session/session.ts';
 export { comparePolygons, type PolygonComparison } from './write/compare-polygons.ts';
 export { type ComparedRun, type ComparisonLook, drawComparison } from './write/comparison.ts';
@@ -39,5 +39,5 @@ export {
   type PictureFacts,
   type PictureName,
 } from './write/pictures.ts';
-export { parsePlanJson } from './write/plan-json.ts';
+export { parsePlanJson, writePlanJson } from './write/plan-json.ts';
 export type { WrittenFile } from './write/plan-writer.ts';

@@ -6,12 +6,15 @@ import { kebabCase, PARAM_NAMES, PARAMS } from '../src/core/params.ts';
 import { STAGES } from '../src/core/stages.ts';
 import { ARCHIVES, READ_FORMATS } from '../src/read/formats.ts';
 import { WRITE_FORMATS } from '../src/write/formats.ts';
+import { writePlanSchema } from '../src/write/plan-schema.ts';
 import { readText } from './reproduction/folder.ts';
 import { OUTLINE_METHODS } from './reproduction/outlines.ts';
 import { PAPER_SETS } from './reproduction/paper-sets.ts';
 import type { Results } from './reproduction/results.ts';
 
 export const readmePath = new URL('../README.md', import.meta.url);
+/** Of plan.json, from its shape and the parameters; goes with the package. */
+export const schemaPath = new URL('../src/write/plan.schema.json', import.meta.url);
 
 const tables: Record<string, () => string> = {
   'read formats': () =>
@@ -85,4 +88,5 @@ function code(words: readonly string[]): string {
 
 if (process.argv.includes('--write')) {
   writeFileSync(readmePath, withTables(readFileSync(readmePath, 'utf8')));
+  writeFileSync(schemaPath, writePlanSchema());
 }

@@ -11,6 +11,8 @@ export interface Command {
   /** The inputs are parts of one scan. */
   readonly isMerge: boolean;
   readonly formats: readonly string[];
+  /** The formats were named, so each of them is wanted; else what can be written is. */
+  readonly hasNamedFormats: boolean;
   readonly options: GivenValues;
   readonly task: 'run' | 'help' | 'version';
 }
@@ -27,7 +29,7 @@ export function parseArguments(words: readonly string[]): Command {
   const options: GivenValues = {};
   let folder = '';
   let formats: readonly string[] = WRITE_FORMAT_NAMES.filter((name) => !isOnRequest(name));
-  let isMerge = false;
+  let [isMerge, hasNamedFormats] = [false, false];
   let task: Command['task'] = 'run';
 
   const queue = [...words];
@@ -42,7 +44,7 @@ export function parseArguments(words: readonly string[]): Command {
     } else if (flag.startsWith('--no-') && isFlagParam(flag)) {
       Object.assign(options, parseParam(PARAM_OF_FLAG.get(`--${flag.slice(5)}`)!, 'false'));
     } else if (flag === '-o' || flag === '--out') folder = value();
-    else if (flag === '--formats') formats = parseFormats(value());
+    else if (flag === '--formats') [formats, hasNamedFormats] = [parseFormats(value()), true];
     else if (flag === '--merge') isMerge = true;
     else if (flag === '-h' || flag === '--help') task = 'help';
     else if (flag === '--version') task = 'version';
@@ -52,7 +54,7 @@ export function parseArguments(words: readonly string[]): Command {
     else inputs.push(word);
   }
   if (task === 'run') checkComplete(inputs, folder);
-  return { inputs, folder, formats, options, isMerge, task };
+  return { inputs, folder, formats, hasNamedFormats, options, isMerge, task };
 }
 
 function splitFlag(word: string): [flag: string, inline: string | undefined] {

@@ -16,7 +16,8 @@ export function helpText(): string {
   return `grundriss INPUT… -o DIR [--merge] [--formats a,b,…] [--json] [--PARAMETER value]…
 
 Turns indoor point clouds into floor plans. Reads ${reads.join(', ')}.
-Each may be gzipped, or be in a ZIP. One input writes its files into DIR, several into DIR/<input name>/;
+Each may be gzipped, or be in a ZIP. A plan.json written before is opened again: its model is made with
+the parameters given, its files are written, but those that need the points. One input writes its files into DIR, several into DIR/<input name>/;
 with --merge they are parts of one scan.
 The last line of standard output is the report as JSON.
 
@@ -59,6 +60,8 @@ export function valueWords(row: ParamRow): string {
       return 'all|CODE,CODE-CODE,…';
     case 'crop':
       return 'none|x0,y0,x1,y1[,z0,z1][@heading]';
+    case 'text':
+      return 'TEXT';
   }
 }
 

@@ -8,9 +8,11 @@ import { urlSource } from '../read/bytes/url-source.ts';
 import { makeReport, type Report } from '../session/report.ts';
 import { baseName, Session } from '../session/session.ts';
 import { writePictures } from '../write/pictures.ts';
+import type { WrittenFile } from '../write/plan-writer.ts';
 import { type Command, parseArguments } from './arguments.ts';
 import { createStrokeTest } from './canvas-stroke.ts';
 import { helpText } from './help.ts';
+import { makeNodeCanvas } from './node-canvas.ts';
 import { nodeSource } from './node-source.ts';
 import { summaryText } from './summary.ts';
 import { writeFolder } from './write-folder.ts';
@@ -74,14 +76,14 @@ async function runOne(
   command: Command,
   signal: AbortSignal,
 ): Promise<Report> {
-  const session = new Session({ strokeTest: createStrokeTest() });
+  const session = new Session({ strokeTest: createStrokeTest(), makeCanvas: makeNodeCanvas });
   const bar = progressBar(inputs.map(fileName).join(' + '));
   const start = performance.now();
   const sources: ByteSource[] = [];
   for (const input of inputs) sources.push(await openInput(input, signal));
   try {
     const result = await session.load(sources, command.options, { signal, onProgress: bar.show });
-    const files = command.formats.flatMap((format) => session.write(format));
+    const files = await writeFormats(session, command);
     const memory = process.resourceUsage().maxRSS / 1024;
     const report = makeReport(result, performance.now() - start, memory);
     const all = [...files, { name: 'report.json', content: `${JSON.stringify(report, null, 2)}\n` }];
@@ -94,6 +96,22 @@ async function runOne(
   } finally {
     bar.end();
   }
+}
+
+/** The files of all formats; of those that nobody named the plan may lack what one needs. */
+async function writeFormats(
+  session: Session,
+  { formats, hasNamedFormats }: Command,
+): Promise<readonly WrittenFile[]> {
+  const files: WrittenFile[] = [];
+  for (const format of formats) {
+    try {
+      files.push(...(await session.write(format)));
+    } catch (error) {
+      if (hasNamedFormats || toPlainError(error).code !== 'result/cannot-write') throw error;
+    }
+  }
+  return files;
 }
 
 /** The pictures of the stages before the one that failed; what failed first is what is told. */

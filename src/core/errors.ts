@@ -2,7 +2,7 @@
 export type ErrorCode =
   | `input/${'unknown-format' | 'truncated' | 'empty' | 'malformed' | 'not-finite' | 'too-large' | 'too-few-points' | 'degenerate' | 'unreadable' | 'geographic-coordinates'}`
   | `option/${'unknown' | 'invalid'}`
-  | 'result/no-boundary'
+  | `result/${'no-boundary' | 'cannot-write'}`
   | `environment/${'network' | 'worker' | 'webgl' | 'wasm' | 'canvas' | 'memory' | 'file-system'}`
   | 'cancelled';
 

@@ -165,6 +165,10 @@ function expectation(row: ParamRow, value: unknown): string | null {
       return typeof value === 'string' ? null : 'all or class codes: 2,6';
     case 'crop':
       return typeof value === 'string' ? null : CROP_WORDS;
+    case 'text':
+      return typeof value === 'string' && value.length <= row.longest
+        ? null
+        : `text of at most ${row.longest} letters`;
   }
 }
 

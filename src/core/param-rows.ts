@@ -25,7 +25,7 @@ export interface NumberRow extends RowFacts<number> {
   readonly min: number;
   readonly max: number;
   readonly step: number;
-  readonly unit: '' | 'm' | 'm²' | 'px/m' | 'points';
+  readonly unit: '' | 'm' | 'm²' | '°' | 'px/m' | 'points';
 }
 /** A number the pipeline works out by itself unless a person sets it. */
 export interface AutoNumberRow extends RowFacts<number | 'auto'> {
@@ -63,6 +63,12 @@ export interface ClassesRow extends RowFacts<string> {
 export interface CropRow extends RowFacts<string> {
   readonly kind: 'crop';
 }
+/** Free text. */
+export interface TextRow extends RowFacts<string> {
+  readonly kind: 'text';
+  /** In UTF-16 units. */
+  readonly longest: number;
+}
 export type LevelChoice = 'auto' | '0' | '1' | '2' | `${number}:${number}`;
 
 export type ParamRow =
@@ -74,7 +80,8 @@ export type ParamRow =
   | LevelRow
   | DoorsRow
   | ClassesRow
-  | CropRow;
+  | CropRow
+  | TextRow;
 
 export const px = (value: number): Pixels => ({ px: value, power: 1 });
 export const px2 = (value: number): Pixels => ({ px: value, power: 2 });
@@ -101,3 +108,4 @@ export const level = (row: Omit<LevelRow, 'kind'>): LevelRow => ({ kind: 'level'
 export const doors = (row: Omit<DoorsRow, 'kind'>): DoorsRow => ({ kind: 'doors', ...row });
 export const classes = (row: Omit<ClassesRow, 'kind'>): ClassesRow => ({ kind: 'classes', ...row });
 export const crop = (row: Omit<CropRow, 'kind'>): CropRow => ({ kind: 'crop', ...row });
+export const text = (row: Omit<TextRow, 'kind'>): TextRow => ({ kind: 'text', ...row });

@@ -3,6 +3,7 @@ import { MODEL_PARAMS } from './params/model-params.ts';
 import { OUTLINE_PARAMS } from './params/outline-params.ts';
 import { SCAN_PARAMS } from './params/scan-params.ts';
 import { SECONDARY_PARAMS } from './params/secondary-params.ts';
+import { SHEET_PARAMS } from './params/sheet-params.ts';
 import { SLICE_PARAMS } from './params/slice-params.ts';
 import type { AreaText, LengthText } from './quantity.ts';
 
@@ -16,6 +17,7 @@ export const PARAMS = {
   ...OUTLINE_PARAMS,
   ...SECONDARY_PARAMS,
   ...MODEL_PARAMS,
+  ...SHEET_PARAMS,
 } as const satisfies Record<string, ParamRow>;
 
 export type ParamName = keyof typeof PARAMS;

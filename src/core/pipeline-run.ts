@@ -157,5 +157,5 @@ export class PipelineRun {
 
 function stageKey(name: StageName, options: Options): string {
   const values = PARAM_NAMES.filter((param) => PARAMS[param].stage === name && param !== 'preset');
-  return `${name} ${values.map((param) => String(options[param])).join(' ')}`;
+  return `${name} ${JSON.stringify(values.map((param) => options[param]))}`;
 }

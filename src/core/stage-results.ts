@@ -1,5 +1,6 @@
 import type { StoreyPlan } from './building/plan-storey.ts';
 import type { ChosenLevel } from './level.ts';
+import type { Sheet } from './sheet.ts';
 import type {
   Boundary,
   FloorPlan,
@@ -28,4 +29,6 @@ export interface StageResults {
   readonly rooms: readonly StoreyPlan[];
   readonly plan: FloorPlan;
   readonly solid: Solid;
+  /** One a storey, lowest first. */
+  readonly sheet: readonly Sheet[];
 }

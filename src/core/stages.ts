@@ -87,7 +87,13 @@ export const STAGES = {
     label: 'Model',
     doc: 'Walls are extruded and secondary boundaries cut out or added: the 3D model.',
     source: '[Stojanovic19] §3.2',
-    share: 0.05,
+    share: 0.04,
+  },
+  sheet: {
+    label: 'Drawing',
+    doc: 'Each storey is drawn on a sheet of paper, to scale, with dimensions and a title block.',
+    source: '[Stojanovic19] §3.2',
+    share: 0.01,
   },
 } as const satisfies Record<string, StageRow>;
 

@@ -284,7 +284,7 @@ export interface Solid {
 }
 
 export interface SolidGroup {
-  /** Unique, e.g. `wall-0`, `floor-0`, `secondary-2`. */
+  /** Unique, e.g. `wall-0`, `floor-0`, `column-2`. */
   readonly name: string;
   readonly kind: 'wall' | 'floor' | 'ceiling' | 'secondary';
   readonly storey: number;

@@ -66,6 +66,7 @@ function factsOf({ view, name }: Model): string {
   const { storeys, frame } = view.plan;
   return [
     view.report.input.name,
+    ...(view.isSavedPlan ? ['saved plan'] : []),
     `${formatCount(pointsKept)} of ${formatCount(pointsRead)} points`,
     sayScale(unit, metresPerUnit),
     `${up} up`,

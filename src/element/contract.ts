@@ -7,7 +7,6 @@ export const ATTRIBUTES = {
   src: 'URL of a scan; a change loads it.',
   poster: 'URL of a picture shown until the first plan is there.',
   view: '2d, 3d or split (the default; a narrow element shows one view at a time).',
-  'display-units': 'm (the default) or ft.',
   controls: 'Shows the bar, the steps with their parameters, and the exports.',
 } as const;
 

@@ -1,4 +1,4 @@
-import type { ParamRow } from '../core/param-rows.ts';
+import type { ParamRow, TextRow } from '../core/param-rows.ts';
 import { type GivenValues, PARAMS, type ParamName } from '../core/params.ts';
 import { classesField } from './classes-field.ts';
 import { cropField } from './crop/crop-field.ts';
@@ -21,7 +21,7 @@ const REASONS: Readonly<Partial<Record<ParamName, (model: Model) => string | und
 /** A unit named by hand ends a scale set by hand, which would count for more. */
 const TAKES_PLACE_OF: Readonly<Partial<Record<ParamName, object>>> = { unit: { metresPerUnit: undefined } };
 
-/** The control of a parameter, made from its row: number, auto-number, flag, choice, choice-list, doors, classes, crop. */
+/** The control of a parameter, made from its row: number, auto-number, flag, choice, choice-list, doors, classes, crop, text. */
 export function makeControl(name: ParamName, actions: Actions): Panel {
   const row: ParamRow = PARAMS[name];
   const id = `param-${name}`;
@@ -81,6 +81,8 @@ function makeField(facts: FieldFacts, actions: Actions): Field {
       return classesField(facts);
     case 'crop':
       return cropField(facts, actions);
+    case 'text':
+      return textField(facts, facts.row);
     case 'level':
       throw new TypeError('The level has a picker of its own.');
   }
@@ -106,6 +108,23 @@ function flagField({ id, change }: FieldFacts): Field {
     node: box,
     set(value) {
       box.checked = value === true;
+    },
+  };
+}
+
+function textField({ id, change }: FieldFacts, { longest }: TextRow): Field {
+  const input = make('input', {
+    type: 'text',
+    id,
+    maxlength: longest,
+    'aria-describedby': `${id}-hint`,
+    on: { change: () => change(input.value === '' ? undefined : input.value, true) },
+  });
+  return {
+    node: input,
+    set(value) {
+      // What is being typed stays.
+      if (!input.matches(':focus')) input.value = String(value);
     },
   };
 }

@@ -6,14 +6,15 @@ const LIFETIME = 60_000;
 /** One file as it is, several of one format as one ZIP. */
 export async function bundleFiles(files: readonly ExportedFile[], format: string): Promise<ExportedFile> {
   if (files.length === 1) return files[0];
-  const { zipSync } = await import('fflate');
-  const entries: Record<string, Uint8Array> = {};
-  for (const { name, blob } of files) entries[name] = new Uint8Array(await blob.arrayBuffer());
-  // A fixed date: equal plans give equal bytes.
-  const bytes = zipSync(entries, { mtime: '1980-01-01T00:00:00' });
+  const { zipFiles } = await import('../write/zip.ts');
+  const contents = files.map(async ({ name, blob }) => ({
+    name,
+    content: new Uint8Array(await blob.arrayBuffer()),
+  }));
+  const bytes = zipFiles(await Promise.all(contents));
   return {
     name: `plan-${format}.zip`,
-    blob: new Blob([bytes as Uint8Array<ArrayBuffer>], { type: 'application/zip' }),
+    blob: new Blob([bytes], { type: 'application/zip' }),
   };
 }
 

@@ -1,7 +1,6 @@
 import { parseParam, resolveOptions } from '../core/options.ts';
 import type { GivenValues, ParamName } from '../core/params.ts';
 import type { FloorPlan } from '../core/types.ts';
-import type { DisplayUnit } from '../view/measure.ts';
 import type { ScanFile } from '../worker/protocol.ts';
 import type { Spawn } from '../worker/spawn.ts';
 import { ATTRIBUTES, LAYOUTS, type Layout, PARAM_ATTRIBUTES, type PlanState } from './contract.ts';
@@ -278,18 +277,21 @@ export class FloorPlanElement extends Base {
   }
 
   #model(): Model {
-    const unit: DisplayUnit = this.getAttribute('display-units') === 'ft' ? 'ft' : 'm';
     const layout = this.getAttribute('view') as Layout;
     const preset = this.#given.now.preset ?? 'auto';
-    const isSlice = preset === 'auto' && this.#maker.view?.options.preset === 'paper';
+    const { view } = this.#maker;
+    const isSlice = preset === 'auto' && view?.options.preset === 'paper';
+    // What a saved plan was made with holds where nothing else is said.
+    const told = view?.isSavedPlan ? { ...view.options, ...this.#given.now } : this.#given.now;
+    const options = resolveOptions(told, { isSlice });
     return {
       ...this.#maker.facts,
       notices: [...this.#places.notices, ...this.#maker.facts.notices],
       given: this.#given.now,
-      options: resolveOptions(this.#given.now, { isSlice }),
+      options,
       canUndo: this.#given.canUndo,
       canRedo: this.#given.canRedo,
-      unit,
+      unit: options.displayUnits,
       layout: LAYOUTS.includes(layout) ? layout : 'split',
       files: this.#files.shown,
       ...this.#sheet.shown,

@@ -75,9 +75,9 @@ export class GivenOptions {
   }
 }
 
-/** Unit, axis, scale, crop, thinning: how to take the scan, not how to make its plan. */
+/** Unit, axis, scale, crop, thinning, paper: how to take the scan and to show its plan, not how to make it. */
 function isOfScan(name: ParamName): boolean {
-  return ['read', 'frame', 'crop'].includes(PARAMS[name].stage);
+  return ['read', 'frame', 'crop', 'sheet'].includes(PARAMS[name].stage);
 }
 
 function isEqual(a: GivenValues, b: GivenValues): boolean {

@@ -1,13 +1,7 @@
 import type { LevelChoice } from '../core/param-rows.ts';
 import type { Level } from '../core/types.ts';
-import {
-  type DisplayUnit,
-  formatBand,
-  formatCount,
-  formatDensity,
-  fromMetres,
-  toMetres,
-} from '../view/measure.ts';
+import { formatBand, formatCount, formatDensity, fromMetres, toMetres } from '../view/measure.ts';
+import type { DisplayUnit } from '../write/measure-words.ts';
 import { icon } from './icon.ts';
 import { make, setAttribute, setText } from './make.ts';
 import type { Actions, Panel } from './model.ts';
@@ -40,13 +34,14 @@ function makeBand(pick: (level: LevelChoice) => void): Panel {
     { type: 'button', class: 'chip', 'aria-pressed': 'true', on: { click: () => pick('auto') } },
     'Auto',
   );
-  let shownUnit: DisplayUnit = 'm';
+  let shownUnit: DisplayUnit | null = null;
+  let shownLevel: LevelChoice | null = null;
   const suffix = make('span', { class: 'unit' });
   const low = bandField('From');
   const high = bandField('to');
   const submit = (event: SubmitEvent) => {
     event.preventDefault();
-    const [from, to] = [low, high].map((field) => toMetres(field.valueAsNumber, shownUnit));
+    const [from, to] = [low, high].map((field) => toMetres(field.valueAsNumber, shownUnit ?? 'm'));
     if (from < to) pick(`${from}:${to}`);
     else high.focus();
   };
@@ -63,16 +58,15 @@ function makeBand(pick: (level: LevelChoice) => void): Panel {
     node,
     show({ options, unit }) {
       setAttribute(auto, 'aria-pressed', String(options.level === 'auto'));
-      const [from, to] = options.level.includes(':') ? options.level.split(':') : ['', ''];
-      const isOtherUnit = unit !== shownUnit;
-      shownUnit = unit;
+      // What is being typed stays until the band or its unit is another.
+      if (unit === shownUnit && options.level === shownLevel) return;
+      [shownUnit, shownLevel] = [unit, options.level];
       setText(suffix, unit);
+      const [from, to] = options.level.includes(':') ? options.level.split(':') : ['', ''];
       for (const [field, metres] of [
         [low, from],
         [high, to],
       ] as const) {
-        // A field under the hand is not overwritten.
-        if (field.matches(':focus') && !isOtherUnit) continue;
         field.value = metres === '' ? '' : String(fromMetres(Number(metres), unit));
       }
     },

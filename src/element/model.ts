@@ -1,7 +1,6 @@
 import type { GivenValues, Options, ParamName } from '../core/params.ts';
 import type { Progress } from '../core/pipeline-run.ts';
 import type { Warning } from '../core/types.ts';
-import type { DisplayUnit } from '../view/measure.ts';
 import type {
   Comparison,
   ComparisonRequest,
@@ -10,6 +9,7 @@ import type {
   PictureOf,
   PlanView,
 } from '../worker/protocol.ts';
+import type { DisplayUnit } from '../write/measure-words.ts';
 import type { Layout, PlanState } from './contract.ts';
 import type { FailedRun } from './plan-maker.ts';
 import type { Stretch } from './stretch.ts';

@@ -121,14 +121,14 @@ export class SheetPane {
     this.#sheet?.setUnit(unit);
     this.#look.set(isStepping ? 'steps' : 'drawing');
     this.#look.node.hidden = steps.pictures.length === 0;
-    this.#points.hidden = isStepping;
+    this.#points.hidden = isStepping || view?.isSavedPlan === true;
     // Beside the tools a narrow pane has no room for them.
     this.#zooms.classList.toggle('may-float', !isStepping);
     for (const [tool, chip] of Object.entries(this.#chips)) {
-      chip.hidden = isStepping || !view;
+      chip.hidden = isStepping || !view || (view.isSavedPlan && needsScan(tool));
       setAttribute(chip, 'aria-pressed', String(model.tool === tool));
     }
-    this.#compare.hidden = !isStepping || steps.of === 'failed';
+    this.#compare.hidden = !isStepping || steps.of === 'failed' || view?.isSavedPlan === true;
     this.#host.hidden = isStepping;
     if (isStepping) void this.#showSteps();
     else this.#hideSteps();
@@ -263,4 +263,9 @@ export class SheetPane {
       setAttribute(button, 'aria-pressed', String(storey === chosen));
     }
   }
+}
+
+/** Doors and crop are cut before the plan is made. */
+function needsScan(tool: string): boolean {
+  return tool !== 'measure';
 }

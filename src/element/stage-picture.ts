@@ -25,7 +25,8 @@ export function makeStagePicture(stage: StageName): Panel | null {
   return {
     node: figure,
     show({ view }) {
-      figure.hidden = !view || (stage === 'secondary' && view.secondary.clusters.length === 0);
+      figure.hidden =
+        !view || view.isSavedPlan || (stage === 'secondary' && view.secondary.clusters.length === 0);
       // Drawn when first seen: a closed stage has no size.
       if (!view || figure.hidden || drawn === view || canvas.clientWidth === 0) return;
       draw(view);

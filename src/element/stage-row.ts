@@ -12,7 +12,8 @@ import type { Actions, Model, Panel } from './model.ts';
 import { makeStagePicture } from './stage-picture.ts';
 import { makeStepLink } from './step-link.ts';
 
-type Mark = 'waiting' | 'running' | 'done' | 'kept' | 'failed';
+/** `saved`: a plan was opened without its scan, and this stage lies before it. */
+type Mark = 'waiting' | 'running' | 'done' | 'kept' | 'saved' | 'failed';
 
 /** One stage of the run: its state, what came out and how long it took; opens to what it does and its parameters. */
 export function makeStageRow(stage: StageName, actions: Actions): Panel {
@@ -71,7 +72,8 @@ function makeLine(label: string) {
     show(mark: Mark, report: StageReport | undefined) {
       if (mark !== shown) symbol.replaceChildren(...symbolOf(mark));
       shown = mark;
-      const words = mark === 'waiting' ? '' : (report?.outcome ?? '');
+      const words =
+        mark === 'waiting' ? '' : mark === 'saved' ? 'in the saved plan' : (report?.outcome ?? '');
       setText(outcome, words);
       // A long outcome is cut in a narrow rail.
       setAttribute(outcome, 'title', words);
@@ -121,7 +123,7 @@ function markOf(stage: StageName, { state, progress, failed, view }: Model): Mar
   // Progress is told thirty times a second; a run that fails at once has told less than its error knows.
   if (state === 'failed' && (failed ?? progress)?.stage === stage) return 'failed';
   const report = view?.stages.find(({ name }) => name === stage);
-  if (!report) return 'waiting';
+  if (!report) return view?.isSavedPlan ? 'saved' : 'waiting';
   return report.isCached ? 'kept' : 'done';
 }
 
@@ -131,6 +133,7 @@ function symbolOf(mark: Mark): Node[] {
     running: 'Running',
     done: 'Done',
     kept: 'Kept from before',
+    saved: 'In the saved plan',
     failed: 'Failed',
   };
   const text = make('span', { class: 'visually-hidden' }, words[mark]);

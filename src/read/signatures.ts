@@ -44,6 +44,11 @@ const SIGNATURES: readonly Signature[] = [
   { what: 'an HTML page', magic: '<html', hint: PAGE },
   { what: 'an XML document', magic: '<?xml' },
   { what: 'an SVG drawing', magic: '<svg', hint: DRAWING },
+  {
+    what: 'a plan of this program',
+    magic: '{"format":"grundriss-plan"',
+    hint: 'Open it by itself: a plan is no part of a scan.',
+  },
   { what: 'a JSON document', magic: '{' },
   { what: 'a program', magic: '\x7fELF' },
   { what: 'a program', magic: 'MZ' },

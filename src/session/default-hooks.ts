@@ -2,9 +2,11 @@ import { canvasStrokeTest } from '../core/canvas-stroke.ts';
 import { FloorPlanError } from '../core/errors.ts';
 import type { PipelineHooks } from '../core/pipeline-run.ts';
 import { nextTurn } from '../read/next-turn.ts';
+import type { RasterCanvas, RasterContext, WriteTools } from '../write/raster.ts';
 
 /** The environment's own clock, event loop and canvas, in browser and worker; Node has no canvas of its own. */
-export const DEFAULT_HOOKS: PipelineHooks = {
+export const DEFAULT_HOOKS: PipelineHooks & WriteTools = {
+  makeCanvas,
   now: () => performance.now(),
   breathe: nextTurn,
   strokeTest: canvasStrokeTest(() => {
@@ -18,3 +20,15 @@ export const DEFAULT_HOOKS: PipelineHooks = {
     );
   }),
 };
+
+function makeCanvas(width: number, height: number): RasterCanvas | null {
+  if (typeof OffscreenCanvas === 'undefined') return null;
+  const canvas = new OffscreenCanvas(width, height);
+  const context: RasterContext | null = canvas.getContext('2d');
+  if (context === null) return null;
+  return {
+    context,
+    toPng: async () =>
+      new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer()),
+  };
+}

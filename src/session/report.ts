@@ -2,6 +2,7 @@ import { areaOf } from '../core/geometry/areas.ts';
 import { polygonArea, vertexCount } from '../core/geometry/rings.ts';
 import type { Axis, FrameUnit, Warning } from '../core/types.ts';
 import { checkSolid } from '../solid/check-solid.ts';
+import { planBounds } from './plan-bounds.ts';
 import type { RunResult } from './result.ts';
 
 /** What `report.json` holds. Heights of levels in metres above the floor. */
@@ -16,7 +17,7 @@ export interface Report {
     readonly up: Axis;
     readonly unit: FrameUnit;
     readonly metresPerUnit: number;
-    /** Source axes, units and coordinates. */
+    /** Source axes, units and coordinates; of the plan where that was opened without its scan. */
     readonly bounds: { readonly min: readonly number[]; readonly max: readonly number[] };
     /** Where each scanner stood, like the bounds; empty where the file does not tell. */
     readonly stations: readonly (readonly number[])[];
@@ -52,9 +53,9 @@ export interface Report {
  * @param peakMemoryMB highest resident memory, where the environment knows it
  */
 export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: number): Report {
-  const { read, frame, level, boundary, plan, solid, stages, warnings } = result;
-  const { name, format, bytes, pointsRead, pointsKept } = read.facts;
-  const { up, unit, metresPerUnit } = frame.frame;
+  const { read, level, boundary, plan, solid, stages, warnings } = result;
+  const { name, format, bytes, pointsRead, pointsKept } = plan.source;
+  const { up, unit, metresPerUnit } = plan.frame;
   const primary = plan.storeys.flatMap((storey) => storey.primary);
   return {
     version: 1,
@@ -67,12 +68,12 @@ export function makeReport(result: RunResult, totalMs: number, peakMemoryMB?: nu
       up,
       unit,
       metresPerUnit,
-      bounds: read.bounds,
-      stations: read.stations,
+      bounds: read?.bounds ?? planBounds(plan),
+      stations: read?.stations ?? [],
     },
-    levels: level.levels,
+    levels: level?.levels ?? [],
     boundary: {
-      method: boundary.method,
+      method: boundary?.method ?? plan.options.boundary,
       vertices: vertexCount(primary),
       areaM2: round(areaOf(primary)),
     },

@@ -1,7 +1,15 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { combine } from '../core/geometry/areas.ts';
 import type { Options } from '../core/params.ts';
-import type { FloorPlan, Polygon, Solid, SolidGroup, Storey, Warning } from '../core/types.ts';
+import type {
+  FloorPlan,
+  Polygon,
+  SecondaryBoundary,
+  Solid,
+  SolidGroup,
+  Storey,
+  Warning,
+} from '../core/types.ts';
 import { extrude } from './extrude.ts';
 import { layeredShells } from './layers.ts';
 import { openingBoxes } from './opening-boxes.ts';
@@ -59,19 +67,30 @@ function partsOf(storey: Storey, options: Options): Part[] {
   const slab = options.slabThickness;
   const walls = wallArea(storey);
   const parts: Part[] = [];
-  const add = (kind: Part['kind'], base: Polygon[], [low, high]: readonly [number, number]) =>
+  const add = (
+    kind: Part['kind'],
+    base: Polygon[],
+    [low, high]: readonly [number, number],
+    name: string = kind,
+  ) =>
     parts.push({
-      ...{ kind, storey: index, base, low, high },
+      ...{ name, kind, storey: index, base, low, high },
       changes: kind === 'secondary' ? [] : changes,
       openings: kind === 'wall' ? openingBoxes(storey) : [],
     });
   add('wall', walls, [floor, ceiling]);
   if (options.floorSlab) add('floor', footprint(storey), [floor - slab, floor]);
   if (options.ceilingSlab) add('ceiling', footprint(storey), [ceiling, ceiling + slab]);
-  for (const { outline, operation } of secondary) {
-    if (operation === 'independent') add('secondary', combine('union', [outline]), [floor, ceiling]);
+  for (const { outline, operation, type } of secondary) {
+    if (operation !== 'independent') continue;
+    add('secondary', combine('union', [outline]), [floor, ceiling], structureName(type));
   }
   return parts;
+}
+
+/** What nodes of structures are called: column, shaft, structure. */
+export function structureName(type: SecondaryBoundary['type']): string {
+  return type === 'other' ? 'structure' : type;
 }
 
 function closedOr(engine: Engine, fallback: Engine, warn: (warning: Warning) => void): Engine {
@@ -92,17 +111,17 @@ function joinShells(shells: readonly { mesh: TriangleMesh; part: Part }[]): Soli
   const positions = new Float64Array(size('positions'));
   const indices = new Uint32Array(size('indices'));
   const groups: SolidGroup[] = [];
-  const named: Partial<Record<SolidGroup['kind'], number>> = {};
+  const named = new Map<string, number>();
   let [vertex, start] = [0, 0];
   for (const { mesh, part } of shells) {
     positions.set(mesh.positions, 3 * vertex);
     mesh.indices.forEach((index, i) => {
       indices[start + i] = vertex + index;
     });
-    const number = named[part.kind] ?? 0;
-    named[part.kind] = number + 1;
+    const number = named.get(part.name) ?? 0;
+    named.set(part.name, number + 1);
     const { kind, storey } = part;
-    groups.push({ name: `${kind}-${number}`, kind, storey, start, count: mesh.indices.length });
+    groups.push({ name: `${part.name}-${number}`, kind, storey, start, count: mesh.indices.length });
     vertex += mesh.positions.length / 3;
     start += mesh.indices.length;
   }

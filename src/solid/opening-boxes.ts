@@ -1,9 +1,17 @@
 import { combine } from '../core/geometry/areas.ts';
+import { inBounds, near } from '../core/geometry/rings.ts';
 import type { Opening, Polygon, Storey } from '../core/types.ts';
 
 /** What an opening takes out of a storey's walls: a box across the wall, from jamb to jamb. */
 export interface OpeningBox {
+  /** Of the opening among the storey's. */
+  readonly number: number;
+  readonly opening: Opening;
   readonly base: Polygon;
+  /** The walls about it, its own among them. */
+  readonly walls: readonly Polygon[];
+  /** The wall's faces, m to the left of the opening's axis; the box reaches past them. */
+  readonly depth: Depth;
   /** Heights in the plan frame, m. */
   readonly low: number;
   readonly high: number;
@@ -20,29 +28,32 @@ const END = 1e-2;
 
 /** The boxes of a storey's openings; those off every wall have none. */
 export function openingBoxes({ floor, walls, openings }: Storey): OpeningBox[] {
-  const outlines = walls.map(({ outline }) => outline);
+  const placed = walls.map(({ outline }) => inBounds(outline));
   const reach = Math.max(0, ...walls.map(({ thickness }) => thickness)) / 2 + BULGE;
-  return openings.flatMap((opening) => {
-    const base = acrossWall(opening, outlines, reach);
-    return base === null ? [] : [{ base, low: floor + opening.sill, high: floor + opening.head }];
+  return openings.flatMap((opening, number) => {
+    const { from, to, sill, head } = opening;
+    if (from[0] === to[0] && from[1] === to[1]) return [];
+    const about = near(placed, strip(opening, -reach - END, reach + END));
+    const depth = depthAcross(opening, about, reach);
+    if (depth === null) return [];
+    const base = strip(opening, depth.low - MARGIN, depth.high + MARGIN);
+    return [{ number, opening, base, walls: about, depth, low: floor + sill, high: floor + head }];
   });
 }
 
 type Axis = Pick<Opening, 'from' | 'to'>;
 
 /** As deep as the wall on the axis is there, however it bends; walls beside it and behind its corners stay whole. */
-function acrossWall({ from, to }: Axis, walls: readonly Polygon[], reach: number): Polygon | null {
+function depthAcross({ from, to }: Axis, walls: readonly Polygon[], reach: number): Depth | null {
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-  if (length === 0) return null;
   const [ex, ey] = [to[0] - from[0], to[1] - from[1]].map((d) => d * Math.min(END / length, 0.25));
   const middle: Axis = { from: [from[0] + ex, from[1] + ey], to: [to[0] - ex, to[1] - ey] };
   const own = depthOf(middle, walls, { low: -reach, high: reach });
   if (own.low >= own.high) return null;
-  const { low, high } = depthOf({ from, to }, walls, { low: own.low - END, high: own.high + END });
-  return strip({ from, to }, low - MARGIN, high + MARGIN);
+  return depthOf({ from, to }, walls, { low: own.low - END, high: own.high + END });
 }
 
-interface Depth {
+export interface Depth {
   /** Distances to the left of an axis, m. */
   readonly low: number;
   readonly high: number;

@@ -4,6 +4,8 @@ import type { TriangleMesh } from './triangle-mesh.ts';
 
 /** A vertical piece of a storey before the secondary boundaries have done their work on it. */
 export interface Part {
+  /** What its groups are called, before their number: wall, floor, ceiling, column … */
+  readonly name: string;
   readonly kind: SolidGroup['kind'];
   readonly storey: number;
   /** Disjoint polygons, metres. */

@@ -1,11 +1,6 @@
 import { readQuantity } from '../core/quantity.ts';
+import { type DisplayUnit, INCHES_PER_FOOT, METRES_PER_FOOT } from '../write/measure-words.ts';
 
-/** Units a person reads lengths and areas in; everything inside stays in metres. */
-export type DisplayUnit = 'm' | 'ft';
-
-/** International foot and inch, exact by definition. */
-const METRES_PER_FOOT = 0.3048;
-const INCHES_PER_FOOT = 12;
 /** A scan is worth centimetres; only a scale bar under the eye is finer than this. m */
 const FINE = 0.1;
 
@@ -17,13 +12,6 @@ export function formatLength(metres: number, unit: DisplayUnit): string {
   const whole = Math.round(inches);
   const rest = whole % INCHES_PER_FOOT;
   return `${Math.floor(whole / INCHES_PER_FOOT)}′${rest === 0 ? '' : ` ${rest}″`}`;
-}
-
-/** An area in square metres: `14.2 m²`, `153 ft²`. */
-export function formatArea(squareMetres: number, unit: DisplayUnit): string {
-  if (unit === 'm') return `${squareMetres.toFixed(squareMetres < 1 ? 2 : 1)} m²`;
-  const squareFeet = squareMetres / METRES_PER_FOOT ** 2;
-  return `${squareFeet.toFixed(squareFeet < 10 ? 1 : 0)} ft²`;
 }
 
 /** A band of heights, all with the same decimals so that they compare: `0.65 to 2.00 m`, `2′ 2″ to 6′ 7″`. */

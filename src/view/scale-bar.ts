@@ -1,4 +1,5 @@
-import { type DisplayUnit, formatLength, roundLengths } from './measure.ts';
+import type { DisplayUnit } from '../write/measure-words.ts';
+import { formatLength, roundLengths } from './measure.ts';
 
 /** The bar is the longest round length below this, px. */
 const LONGEST = 140;

@@ -1,7 +1,7 @@
 import type { StageResults } from '../core/stage-results.ts';
 import type { StageName } from '../core/stages.ts';
 import type { Polygon } from '../core/types.ts';
-import type { RunResult } from '../session/result.ts';
+import type { ScanResult } from '../session/result.ts';
 import { comparePolygons } from '../write/compare-polygons.ts';
 import { drawComparison } from '../write/comparison.ts';
 import type { Comparison } from './protocol.ts';
@@ -10,7 +10,7 @@ export interface ComparedRuns {
   /** What the plan shown and the other are called. */
   readonly labels: readonly [here: string, there: string];
   readonly here: StageResults;
-  readonly there: RunResult;
+  readonly there: ScanResult;
   /** What each stage took when it last ran for the plan shown, ms. */
   readonly times: ReadonlyMap<StageName, number>;
 }

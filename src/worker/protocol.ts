@@ -17,6 +17,8 @@ export interface PlanView {
   readonly surroundings: Surroundings;
   /** The scan is a ready slice, already in the plan frame. */
   readonly isSlice: boolean;
+  /** A plan.json was opened: there are no points, and stages before the plan made nothing. */
+  readonly isSavedPlan: boolean;
   /** One sentence each: why this unit, why this axis. */
   readonly reasons: PointCloud['reasons'];
   readonly slice: Slice;

@@ -91,9 +91,11 @@ class Desk {
         return this.#post({ kind: 'picture', id, svg });
       }
       case 'export': {
-        const files = this.#session
-          .write(request.format)
-          .map(({ name, mime, content }) => ({ name, blob: new Blob([content], { type: mime }) }));
+        const written = await this.#session.write(request.format);
+        const files = written.map(({ name, mime, content }) => ({
+          name,
+          blob: new Blob([content], { type: mime }),
+        }));
         return this.#post({ kind: 'files', id, files });
       }
     }
@@ -110,7 +112,7 @@ class Desk {
       const { evidence: results, reports, times } = this.#session;
       const options = results.read && resolveOptions(request.options, results.read);
       this.#runs.failed = { results, options, times };
-      const evidence = { stage: STAGE_NAMES[reports.length], pictures: listPictures(this.#session) };
+      const evidence = { stage: stageAfter(reports.at(-1)?.name), pictures: listPictures(this.#session) };
       return this.#post({ kind: 'error', id: request.id, error: toPlainError(error), evidence });
     }
     const totalMs = performance.now() - start;
@@ -142,6 +144,11 @@ class Desk {
     const comparison = compareRuns({ labels, here: results as StageResults, there, times });
     this.#post({ kind: 'comparison', id, comparison });
   }
+}
+
+/** The one that was under way when those before it had run; a plan without its scan begins late. */
+function stageAfter(last: StageName | undefined): StageName {
+  return STAGE_NAMES[last === undefined ? 0 : STAGE_NAMES.indexOf(last) + 1];
 }
 
 function throwIfAborted({ aborted }: AbortSignal): void {

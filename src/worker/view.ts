@@ -2,9 +2,12 @@ import { cloudBounds } from '../core/cloud-bounds.ts';
 import { isWithin } from '../core/crop.ts';
 import { parseCrop } from '../core/crop-box.ts';
 import type { Options } from '../core/params.ts';
-import type { PointAttributes, PointCloud, Vec3 } from '../core/types.ts';
+import type { FloorPlan, PointAttributes, PointCloud, Vec3 } from '../core/types.ts';
+import { planBox } from '../session/plan-bounds.ts';
 import { makeReport } from '../session/report.ts';
-import type { Session } from '../session/session.ts';
+import { isOfScan, type ScanResult } from '../session/result.ts';
+import { NO_SLICE, type Session } from '../session/session.ts';
+import { sheetToSvg } from '../write/svg.ts';
 import type { CloudView, PictureFacts, PlanView, Surroundings } from './protocol.ts';
 
 /** More points than this no screen tells apart, and a software renderer still draws them in one frame. */
@@ -17,28 +20,54 @@ export function makeView(
   totalMs: number,
 ): { view: PlanView; transfer: Transferable[] } {
   const result = session.result!;
-  const { options, plan, solid, slice, level, secondary, stages } = result;
-  const cloud = sampleCloud(result.crop);
-  const surroundings = surroundingsOf(result.frame, options);
-  const drawings = session.write('svg').map(({ content }) => content as string);
+  const { options, plan, solid, stages } = result;
+  const seen = isOfScan(result) ? seenOf(result) : unseenOf(plan);
+  const { cloud, surroundings } = seen;
+  const drawings = result.sheet.map((sheet) => sheetToSvg(sheet, plan));
   const view = {
     options,
     plan,
     drawings,
     solid,
-    cloud,
-    surroundings,
-    isSlice: result.read.isSlice,
-    reasons: result.frame.reasons,
-    slice,
-    levels: level.levels,
-    secondary,
+    ...seen,
     stages,
     report: makeReport(result, totalMs),
     pictures,
   };
   const arrays = [cloud.positions, surroundings.cropped, cloud.colour, cloud.intensity];
   return { view, transfer: arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : [])) };
+}
+
+type Seen = Pick<
+  PlanView,
+  'cloud' | 'surroundings' | 'isSlice' | 'isSavedPlan' | 'reasons' | 'slice' | 'levels' | 'secondary'
+>;
+
+function seenOf({ read, frame, crop, slice, level, secondary, options }: ScanResult): Seen {
+  return {
+    cloud: sampleCloud(crop),
+    surroundings: surroundingsOf(frame, options),
+    isSlice: read.isSlice,
+    isSavedPlan: false,
+    reasons: frame.reasons,
+    slice,
+    levels: level.levels,
+    secondary,
+  };
+}
+
+/** A plan without its scan: no points, and the building itself in place of the cloud's extent. */
+function unseenOf(plan: FloorPlan): Seen {
+  return {
+    cloud: { positions: new Float32Array(0), total: 0 },
+    surroundings: { ...planBox(plan), cropped: new Float64Array(0) },
+    isSlice: false,
+    isSavedPlan: true,
+    reasons: { unit: 'The plan says so.', up: 'The plan says so.' },
+    slice: NO_SLICE,
+    levels: [],
+    secondary: { clusters: new Uint8Array(0), searches: [], boundaries: [] },
+  };
 }
 
 /** Shares of the points that are shown black and white: a few glints would darken all else. */

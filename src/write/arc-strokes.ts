@@ -29,6 +29,14 @@ export function arcStrokes(ring: Ring, arcs: readonly RingArc[]): ArcStroke[] {
   }).filter((stroke) => stroke !== null);
 }
 
+/** The centre of an arc between two places that turns by an angle, from x towards y. */
+export function arcCentre(from: Place, to: Place, turn: number): [x: number, y: number] {
+  const height = 1 / (2 * Math.tan(turn / 2));
+  return [(from.x + to.x) / 2 - (to.y - from.y) * height, (from.y + to.y) / 2 + (to.x - from.x) * height];
+}
+
+type Place = Pick<ArcStroke, 'x' | 'y'>;
+
 /** Angle from an arc's first vertex to its last, radians, from x towards y. */
 export function arcTurn(ring: Ring, { centre, from, to }: RingArc): number {
   return turnAlong(ring, centre, from, edgesBetween(from, to, ring.length / 2));

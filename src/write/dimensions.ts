@@ -1,24 +1,37 @@
 import { type Bounds, boundsOfAll } from '../core/geometry/rings.ts';
-import type { Polygon } from '../core/types.ts';
-import type { Affine, SheetItem } from './sheet.ts';
+import { type Affine, type SheetItem, type SheetText, TEXT_SIZES } from '../core/sheet.ts';
+import type { Polygon, Ring, Storey } from '../core/types.ts';
+import { type DisplayUnit, formatDimension } from './measure-words.ts';
 import type { Surround } from './sheet-page.ts';
+import { textWidth } from './text-width.ts';
 
 /** Distance of the first chain from the plan, between chains, and of text above its line, mm. */
-const FIRST_CHAIN = 10;
-const NEXT_CHAIN = 8;
-const TEXT_GAP = 1;
-/** Extension lines start this far from the plan and end this far past the chain, mm. */
-const EXTENSION_GAP = 3;
-const EXTENSION_OVERHANG = 2;
+const FIRST_CHAIN = 9;
+const NEXT_CHAIN = 7;
+export const TEXT_GAP = 1;
+/** Extension lines are short, so that they cross no figures: so far to either side of their chain, mm. */
+const EXTENSION = 1.4;
+/** … and figures below a chain so far past these, mm. */
+const FIGURE_GAP = 0.3;
+/** A figure that stands below its line may be pushed aside so far, mm; where that is not enough, it is left out. */
+const FARTHEST_PUSH = 4;
 /** Half the length of an oblique tick along each axis, mm. */
 const TICK = 1.1;
 /** Blank beyond the outermost chain, mm. */
-const CLEARANCE = 6;
+const CLEARANCE = 4;
 /** A step in the outline gets a dimension when it is at least this deep, m, and its dimension this wide, mm. */
 const STEP_DEPTH = 0.3;
 const SHORTEST = 8;
 /** An edge within 2° of the axis stands square to the chain. */
-const SQUARE = Math.sin(Math.PI / 90);
+export const SQUARE = Math.sin(Math.PI / 90);
+/** What is nearer to the outside than this lies in the outer wall or along it, m. */
+const THICKEST_OUTER_WALL = 0.8;
+/** Between chords of a curve a ring turns by less than this, at corners of walls by more, radians. */
+const CORNER = Math.PI / 12;
+/** Two places nearer than this are one: no tape tells them apart, m. */
+const SAME_PLACE = 0.015;
+/** Height of figures as a share of the type size. */
+const CAPITAL = 0.72;
 /** The outline is looked at this far left and right of a step, m. */
 const BESIDE = 0.01;
 /** More steps than this on a side are a jagged outline, not corners to be measured. */
@@ -45,32 +58,107 @@ export interface Dimensions {
   readonly surround: Surround;
 }
 
+/** Nothing measured; the plan still stands off the edge. */
+export const NO_DIMENSIONS: Dimensions = {
+  chains: { left: [], right: [], top: [], bottom: [] },
+  surround: { left: CLEARANCE, right: CLEARANCE, top: CLEARANCE, bottom: CLEARANCE },
+};
+
+/** Rooms and openings behind the outline, turned as it is. */
+export type Inside = Pick<Storey, 'rooms' | 'openings'>;
+
+const NOTHING: Inside = { rooms: [], openings: [] };
+
 /**
- * Chooses what to measure: the whole width below and depth at the left, and on every side the steps of the outline
- * that are seen from there.
+ * Chooses what to measure: on every side, from the plan outwards, the openings of the outer wall, the rooms and walls
+ * behind it with the steps of the outline that are seen from there, and below and at the left the whole.
  *
  * @param footprint disjoint polygons, metres
  * @param scale 50 for 1:50
  */
-export function planDimensions(footprint: readonly Polygon[], extent: Bounds, scale: number): Dimensions {
+export function planDimensions(
+  footprint: readonly Polygon[],
+  extent: Bounds,
+  scale: number,
+  inside: Inside = NOTHING,
+): Dimensions {
   const chains = { left: [], right: [], top: [], bottom: [] } as Record<Side['name'], (readonly number[])[]>;
   const surround = { left: 0, right: 0, top: 0, bottom: 0 };
+  const rings = footprint.map(({ outer }) => outer);
   for (const side of SIDES) {
     const [low, high] = side.along === 0 ? [extent.minX, extent.maxX] : [extent.minY, extent.maxY];
     const steps = visibleSteps(footprint, side, { low, high, apart: (SHORTEST * scale) / 1000 });
-    if (steps.length > 0) chains[side.name].push([low, ...steps, high]);
-    if (side.away === -1) chains[side.name].push([low, high]);
-    const count = chains[side.name].length;
-    surround[side.name] = CLEARANCE + (count > 0 ? FIRST_CHAIN + (count - 1) * NEXT_CHAIN : 0);
+    const own = chains[side.name];
+    for (const places of [jambsAlong(rings, side, inside), [...steps, ...roomsAlong(rings, side, inside)]]) {
+      const chain = apartFrom([low, ...places, high]);
+      if (chain.length > 2) own.push(chain);
+    }
+    if (side.away === -1) own.push([low, high]);
+    surround[side.name] = CLEARANCE + (own.length > 0 ? FIRST_CHAIN + (own.length - 1) * NEXT_CHAIN : 0);
   }
   return { chains, surround };
 }
 
-/** Draws the chains: thin lines, oblique ticks, figures in metres to the centimetre read from below or the right. */
-export function drawDimensions({ chains }: Dimensions, extent: Bounds, planToSheet: Affine): SheetItem[] {
+/** Jambs of the openings that lead out on a side. */
+function jambsAlong(rings: readonly Ring[], side: Side, { openings }: Inside): number[] {
+  return openings.flatMap(({ from, to }) => {
+    const [along, across] = [side.along, (1 - side.along) as 0 | 1];
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+    if (Math.abs(to[across] - from[across]) > SQUARE * length) return [];
+    const middle = (from[along] + to[along]) / 2;
+    const deep = reach(rings, side, middle) - side.away * ((from[across] + to[across]) / 2);
+    return deep >= 0 && deep < THICKEST_OUTER_WALL ? [from[along], to[along]] : [];
+  });
+}
+
+/** Ends of the edges of rooms that stand along the outer wall of a side. */
+function roomsAlong(rings: readonly Ring[], side: Side, { rooms }: Inside): number[] {
+  const [along, across] = [side.along, 1 - side.along];
+  return rooms.flatMap(({ outline: { outer } }) => {
+    const places: number[] = [];
+    for (let i = 0; i < outer.length; i += 2) {
+      const j = (i + 2) % outer.length;
+      const length = Math.hypot(outer[j] - outer[i], outer[j + 1] - outer[i + 1]);
+      if (length < STEP_DEPTH || Math.abs(outer[j + across] - outer[i + across]) > SQUARE * length) continue;
+      if (isSmooth(outer, i) && isSmooth(outer, j)) continue;
+      const deep =
+        reach(rings, side, (outer[i + along] + outer[j + along]) / 2) - side.away * outer[i + across];
+      if (deep >= 0 && deep < THICKEST_OUTER_WALL) places.push(outer[i + along], outer[j + along]);
+    }
+    return places;
+  });
+}
+
+/** Whether a ring turns so little at a vertex that it stands for a curve. */
+function isSmooth(ring: Ring, i: number): boolean {
+  const [h, j] = [(i + ring.length - 2) % ring.length, (i + 2) % ring.length];
+  const [ax, ay] = [ring[i] - ring[h], ring[i + 1] - ring[h + 1]];
+  const [bx, by] = [ring[j] - ring[i], ring[j + 1] - ring[i + 1]];
+  return Math.abs(Math.atan2(ax * by - ay * bx, ax * bx + ay * by)) < CORNER;
+}
+
+/** Rising, each so far from the one before that it can be read. */
+function apartFrom(places: readonly number[]): number[] {
+  const [low, high] = [Math.min(...places), Math.max(...places)];
+  const chain: number[] = [];
+  for (const place of [...places].sort((a, b) => a - b)) {
+    if (place - (chain.at(-1) ?? Number.NEGATIVE_INFINITY) >= SAME_PLACE) chain.push(place);
+  }
+  // The ends are the plan's own.
+  chain[0] = low;
+  if (chain.length > 1) chain[chain.length - 1] = high;
+  return chain;
+}
+
+/** Draws the chains: thin lines, oblique ticks, figures read from below or the right. */
+export function drawDimensions(
+  { chains }: Dimensions,
+  extent: Bounds,
+  { planToSheet, unit }: { planToSheet: Affine; unit: DisplayUnit },
+): SheetItem[] {
   return SIDES.flatMap((side) =>
     chains[side.name].flatMap((places, i) =>
-      drawChain(side, places, { extent, planToSheet, offset: FIRST_CHAIN + i * NEXT_CHAIN }),
+      drawChain(side, places, { extent, planToSheet, unit, offset: FIRST_CHAIN + i * NEXT_CHAIN }),
     ),
   );
 }
@@ -78,7 +166,12 @@ export function drawDimensions({ chains }: Dimensions, extent: Bounds, planToShe
 function drawChain(
   side: Side,
   places: readonly number[],
-  { extent, planToSheet, offset }: { extent: Bounds; planToSheet: Affine; offset: number },
+  {
+    extent,
+    planToSheet,
+    unit,
+    offset,
+  }: { extent: Bounds; planToSheet: Affine; unit: DisplayUnit; offset: number },
 ): SheetItem[] {
   const edge = {
     left: extent.minX,
@@ -96,22 +189,53 @@ function drawChain(
   const lines: Float64Array[] = [Float64Array.of(...at(places[0], offset), ...at(places.at(-1)!, offset))];
   const ticks: Float64Array[] = [];
   for (const place of places) {
-    lines.push(Float64Array.of(...at(place, EXTENSION_GAP), ...at(place, offset + EXTENSION_OVERHANG)));
-    const [x, y] = at(place, offset);
-    ticks.push(Float64Array.of(x - TICK, y + TICK, x + TICK, y - TICK));
+    lines.push(Float64Array.of(...at(place, offset - EXTENSION), ...at(place, offset + EXTENSION)));
+    ticks.push(tickAt(...at(place, offset)));
   }
   const items: SheetItem[] = [
     { kind: 'path', style: 'dimension', lines, isClosed: false },
     { kind: 'path', style: 'tick', lines: ticks, isClosed: false },
   ];
-  for (let i = 0; i + 1 < places.length; i++) {
-    const [x, y] = at((places[i] + places[i + 1]) / 2, offset);
-    const text = (places[i + 1] - places[i]).toFixed(2);
-    const isUpright = side.along === 1;
-    const place = isUpright ? { x: x - TEXT_GAP, y, isUpright } : { x, y: y - TEXT_GAP };
-    items.push({ kind: 'text', size: 'label', ...place, text, anchor: 'middle' });
-  }
+  items.push(...drawFigures(places, side.along === 1, unit, (place) => at(place, offset)));
   return items;
+}
+
+/** The oblique tick at a place on the sheet. */
+export function tickAt(x: number, y: number): Float64Array {
+  return Float64Array.of(x - TICK, y + TICK, x + TICK, y - TICK);
+}
+
+/** The figures above the line, those too wide for their stretch below it, a little aside where the last one stands. */
+function drawFigures(
+  places: readonly number[],
+  isUpright: boolean,
+  unit: DisplayUnit,
+  at: (place: number) => readonly [number, number],
+): SheetText[] {
+  const way = isUpright ? 1 : 0;
+  // Upright figures are read upwards, so their line runs to lower y.
+  const sign = isUpright ? -1 : 1;
+  let taken = Number.NEGATIVE_INFINITY;
+  const texts: SheetText[] = [];
+  for (let i = 0; i + 1 < places.length; i++) {
+    const [from, to] = [at(places[i]), at(places[i + 1])];
+    const text = formatDimension(places[i + 1] - places[i], unit);
+    const width = textWidth(text, TEXT_SIZES.label) + TEXT_GAP;
+    const isWide = width > Math.abs(to[way] - from[way]);
+    let along = (sign * (from[way] + to[way])) / 2;
+    if (isWide) {
+      const push = Math.max(0, taken + width / 2 - along);
+      if (push > FARTHEST_PUSH) continue;
+      along += push;
+      taken = along + width / 2;
+    }
+    const aside = isWide ? EXTENSION + FIGURE_GAP + CAPITAL * TEXT_SIZES.label : -TEXT_GAP;
+    const place = isUpright
+      ? { x: from[0] + aside, y: sign * along, isUpright }
+      : { x: along, y: from[1] + aside };
+    texts.push({ kind: 'text', size: 'label', ...place, text, anchor: 'middle' });
+  }
+  return texts;
 }
 
 /** Places where the outline, seen from the side, steps forwards or back; none where it is jagged all over. */

@@ -1,7 +1,7 @@
 import { combine } from '../core/geometry/areas.ts';
+import { type Affine, mapped, type SheetItem } from '../core/sheet.ts';
 import type { Opening, Polygon, Storey } from '../core/types.ts';
 import { openingBoxes } from '../solid/opening-boxes.ts';
-import { type Affine, mapped, type SheetItem } from './sheet.ts';
 
 /** Decimals of plan metres in data attributes: 0.1 mm. */
 const DIGITS = 4;
@@ -14,11 +14,8 @@ const AT_JAMB = 1e-4;
  * above the plan's cut, dashed lines on the faces.
  */
 export function drawOpenings(storey: Storey, planToSheet: Affine): SheetItem[] {
-  const walls = storey.walls.map(({ outline }) => outline);
-  return storey.openings.flatMap((opening, i): SheetItem[] => {
-    const [box] = openingBoxes({ ...storey, openings: [opening] });
-    if (box === undefined) return [];
-    const jambs = jambsOf(combine('intersection', walls, [box.base]), opening);
+  return openingBoxes(storey).flatMap(({ number: i, opening, base, walls }): SheetItem[] => {
+    const jambs = jambsOf(combine('intersection', walls, [base]), opening);
     const [drawn, dashed] = betweenJambs(opening, jambs);
     const path = (style: 'opening' | 'passage', lines: readonly Float64Array[]) => ({
       kind: 'path' as const,

@@ -1,17 +1,9 @@
+import type { StageContext } from '../core/context.ts';
 import { areaOf, combine } from '../core/geometry/areas.ts';
 import type { Circle } from '../core/geometry/circle.ts';
 import { circlesOf } from '../core/geometry/ring-arcs.ts';
-import { orientRing, ringsOf } from '../core/geometry/rings.ts';
-import type { Furniture, Gap, Polygon, RingArc, SecondaryBoundary, Storey } from '../core/types.ts';
-import { footprint, openingsAtCut } from '../solid/sections.ts';
-import { rounded } from './decimals.ts';
-import { drawDimensions, extentOf, planDimensions } from './dimensions.ts';
-import { drawOpenings, placeData } from './draw-openings.ts';
-import { hatch } from './hatch.ts';
-import { labelPoint } from './label-point.ts';
-import type { Product } from './plan-writer.ts';
-import { roundedPolygons } from './rounded-polygons.ts';
-import { HATCHES } from './secondary-hatch.ts';
+import { type Bounds, ringsOf } from '../core/geometry/rings.ts';
+import type { Options } from '../core/params.ts';
 import {
   type Affine,
   chain,
@@ -21,64 +13,127 @@ import {
   type SheetItem,
   type SheetLayer,
   type SheetPath,
-  TEXT_SIZES,
-} from './sheet.ts';
-import { fitPage } from './sheet-page.ts';
+} from '../core/sheet.ts';
+import type { Furniture, Opening, Polygon, RingArc, SecondaryBoundary, Storey } from '../core/types.ts';
+import { footprint } from '../solid/sections.ts';
+import { cutWalls } from './cut-walls.ts';
+import { rounded } from './decimals.ts';
+import {
+  type Dimensions,
+  drawDimensions,
+  extentOf,
+  type Inside,
+  NO_DIMENSIONS,
+  planDimensions,
+} from './dimensions.ts';
+import { drawOpenings, placeData } from './draw-openings.ts';
+import { hatch } from './hatch.ts';
+import { formatArea, formatDimension } from './measure-words.ts';
+import type { Product } from './plan-writer.ts';
+import { drawRoomDimensions } from './room-dimensions.ts';
+import { placeLabels } from './room-labels.ts';
+import { roundedPolygons } from './rounded-polygons.ts';
+import { HATCHES } from './secondary-hatch.ts';
+import { fitPage, type Page } from './sheet-page.ts';
 import { rotationBy, turnToSquare } from './sheet-turn.ts';
-import { textWidth } from './text-width.ts';
 import { drawTitleBlock, type LegendEntry } from './title-block.ts';
 
-/** A gap is cut out of walls up to this much thicker than they are said to be, so that rounding leaves no sliver. */
-const GAP_OVERLAP = 1.02;
 /** Decimals of metres in data attributes: 0.1 mm. */
 const DATA_DIGITS = 4;
-/** Blank around a room's label, mm. */
-const LABEL_BLANK = 1.5;
 
-export interface DrawOptions {
-  /** Draws the slice's points beneath the plan; off by default, since a viewer has them anyway. */
-  readonly hasPoints?: boolean;
+/** What a sheet is drawn from. */
+export type SheetFacts = Pick<Product, 'plan' | 'slice' | 'options' | 'name'>;
+
+/** Draws every storey on a sheet of its own, lowest first. */
+export function drawSheets(facts: SheetFacts, warn: StageContext['warn'] = () => {}): Sheet[] {
+  return facts.plan.storeys.map((_, storey) => drawSheet(facts, storey, warn));
+}
+
+/** `1:100 on A3` for each sheet. */
+export function saySheets(sheets: readonly Sheet[]): string {
+  return [...new Set(sheets.map(({ scale, paper }) => `1:${scale} on ${paper.name}`))].join(', ');
 }
 
 /**
  * Draws one storey as an architect would: cut walls solid, inferred stretches dashed, secondary boundaries hatched by
- * what they do to the model, dimensions outside, walls square to the sheet, scale and paper chosen to fit.
+ * what they do to the model, rooms with name and area, dimensions outside and inside, walls square to the sheet, scale
+ * and paper chosen to fit.
  *
  * @param storey index into the plan's storeys
+ * @param warn told where the scale asked for does not fit
  */
-export function drawSheet(product: Product, storey: number, { hasPoints = false }: DrawOptions = {}): Sheet {
-  const { plan, slice } = product;
+export function drawSheet(facts: SheetFacts, storey: number, warn: StageContext['warn'] = () => {}): Sheet {
+  const { plan, slice, options } = facts;
   const drawn = plan.storeys[storey];
   const turn = turnToSquare(plan.storeys.flatMap(({ primary }) => primary));
-  const covered = footprint(drawn).map((polygon) => mappedPolygon(polygon, rotationBy(turn)));
-  const extent = extentOf(covered.length > 0 ? covered : [{ outer: new Float64Array(2), holes: [] }]);
-  // The steps worth a dimension depend on the scale and the scale on their space: the second guess settles it.
-  const firstGuess = fitPage(extent, planDimensions(covered, extent, 1).surround);
-  const dimensions = planDimensions(covered, extent, firstGuess.scale);
-  const { paper, scale, planToSheet: squareToSheet } = fitPage(extent, dimensions.surround);
+  const { page, dimensions, extent } = layOut(drawn, turn, options, warn);
+  const { paper, scale, planToSheet: squareToSheet } = page;
   const planToSheet = chain(squareToSheet, rotationBy(turn));
+  const unit = options.displayUnits;
   const walls = drawWalls(drawn, planToSheet);
   const openings = drawOpenings(drawn, planToSheet);
-  const facts = factsOf(product, drawn, { scale, paper: paper.name, turn });
-  const block = drawTitleBlock(
-    { ...facts, turn, legend: legendOf(drawn, walls.gaps, openings) },
-    paper,
-    scale,
-  );
-  const points: SheetItem[] = hasPoints ? [{ kind: 'points', xy: mapped(slice.xy, planToSheet) }] : [];
+  const labels = placeLabels({ storey: drawn, planToSheet, unit, extent: onSheet(extent, squareToSheet) });
+  const inner = drawRoomDimensions({
+    ...{ rooms: options.dimensions === 'all' ? drawn.rooms.map(({ outline }) => outline) : [] },
+    ...{ structures: drawn.secondary.map(({ outline }) => outline), planToSheet, scale, unit },
+    taken: labels.map(({ box }) => box),
+  });
+  const outer = drawDimensions(dimensions, extent, { planToSheet: squareToSheet, unit });
+  const words = titleWords(facts, drawn, { scale, paper: paper.name, turn });
+  const legend = legendOf(drawn, walls.gaps, openings);
+  const block = drawTitleBlock({ ...words, ...headingOf(facts, turn), unit, legend }, paper, scale);
+  const points: SheetItem[] = options.drawPoints
+    ? [{ kind: 'points', xy: mapped(slice.xy, planToSheet) }]
+    : [];
   const layers: SheetLayer[] = [
-    { name: 'points', isVisible: hasPoints, items: points },
+    { name: 'points', isVisible: options.drawPoints, items: points },
     ...drawFurniture(drawn.furniture ?? [], planToSheet),
     { name: 'walls', isVisible: true, items: walls.cut },
     { name: 'secondary', isVisible: true, items: drawSecondary(drawn.secondary, planToSheet) },
     { name: 'gaps', isVisible: true, items: walls.gaps },
     { name: 'openings', isVisible: true, items: openings },
-    { name: 'dimensions', isVisible: true, items: drawDimensions(dimensions, extent, squareToSheet) },
-    { name: 'labels', isVisible: true, items: drawLabels(drawn, planToSheet, scale) },
+    { name: 'dimensions', isVisible: true, items: [...outer, ...inner] },
+    { name: 'labels', isVisible: true, items: labels.flatMap(({ items }) => items) },
     { name: 'title', isVisible: true, items: block },
   ];
-  const description = [facts.title, ...facts.lines].join('. ');
-  return { paper, scale, storey, title: facts.title, description, planToSheet, layers };
+  const description = [words.title, ...words.lines].join('. ');
+  return { paper, scale, storey, title: words.title, description, planToSheet, layers };
+}
+
+/** Where the plan stands on which paper, and what is measured around it. */
+function layOut(
+  drawn: Storey,
+  turn: number,
+  options: Options,
+  warn: StageContext['warn'],
+): { page: Page; dimensions: Dimensions; extent: Bounds } {
+  const toSquare = rotationBy(turn);
+  const covered = footprint(drawn).map((polygon) => mappedPolygon(polygon, toSquare));
+  const extent = extentOf(covered.length > 0 ? covered : [{ outer: new Float64Array(2), holes: [] }]);
+  const inside = turnedInside(drawn, toSquare);
+  const measure = (scale: number) =>
+    options.dimensions === 'none' ? NO_DIMENSIONS : planDimensions(covered, extent, scale, inside);
+  // The steps worth a dimension depend on the scale and the scale on their space: the second guess settles it.
+  const firstGuess = fitPage(extent, measure(1).surround, options);
+  const dimensions = measure(firstGuess.scale);
+  return { page: fitPage(extent, dimensions.surround, options, warn), dimensions, extent };
+}
+
+function turnedInside({ rooms, openings }: Storey, turn: Affine): Inside {
+  const at = ([x, y]: Opening['from']): Opening['from'] => {
+    const [across, ahead] = mapped(Float64Array.of(x, y), turn);
+    return [across, ahead];
+  };
+  return {
+    rooms: rooms.map((room) => ({ ...room, outline: mappedPolygon(room.outline, turn) })),
+    openings: openings.map((opening) => ({ ...opening, from: at(opening.from), to: at(opening.to) })),
+  };
+}
+
+/** A box of the plan as it lies on the sheet, whose y runs down. */
+function onSheet({ minX, minY, maxX, maxY }: Bounds, planToSheet: Affine): Bounds {
+  const [left, bottom, right, top] = mapped(Float64Array.of(minX, minY, maxX, maxY), planToSheet);
+  return { minX: left, minY: top, maxX: right, maxY: bottom };
 }
 
 /**
@@ -86,18 +141,8 @@ export function drawSheet(product: Product, storey: number, { hasPoints = false 
  * free.
  */
 function drawWalls(storey: Storey, planToSheet: Affine): { cut: SheetItem[]; gaps: SheetItem[] } {
-  const section = combine(
-    'difference',
-    storey.walls.map(({ outline }) => outline),
-    [...storey.secondary.map(({ outline }) => outline), ...openingsAtCut(storey)],
-  );
+  const { cut, inferred } = cutWalls(storey);
   const curves = storey.walls.flatMap(({ outline }) => circlesOf(outline));
-  const thickness = Math.max(0, ...storey.walls.map((wall) => wall.thickness));
-  const stretches = storey.gaps.map((gap) => stretchOf(gap, thickness * GAP_OVERLAP));
-  const cut = stretches.length === 0 ? section : combine('difference', section, stretches);
-  const inferred = stretches.flatMap((stretch, gap) =>
-    combine('intersection', section, [stretch]).map((polygon) => ({ polygon, gap })),
-  );
   return {
     cut: cut.map((polygon, i) => ({
       ...({ kind: 'path', style: 'wall', ...shapeOf(polygon, planToSheet, curves), isClosed: true } as const),
@@ -109,19 +154,6 @@ function drawWalls(storey: Storey, planToSheet: Affine): { cut: SheetItem[]; gap
       ...{ id: `gap-${i}`, data: { kind: 'gap', gap, ...placeData(storey.gaps[gap]) } },
     })),
   };
-}
-
-/** The rectangle along a gap, as wide as the wall to both sides. */
-function stretchOf({ from, to }: Gap, reach: number): Polygon {
-  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-  const length = Math.hypot(dx, dy);
-  if (length === 0) return { outer: new Float64Array(0), holes: [] };
-  const [nx, ny] = [(-dy / length) * reach, (dx / length) * reach];
-  const outer = Float64Array.of(
-    ...[from[0] - nx, from[1] - ny, to[0] - nx, to[1] - ny],
-    ...[to[0] + nx, to[1] + ny, from[0] + nx, from[1] + ny],
-  );
-  return { outer: orientRing(outer, 'counter-clockwise'), holes: [] };
 }
 
 function drawSecondary(secondary: readonly SecondaryBoundary[], planToSheet: Affine): SheetItem[] {
@@ -153,44 +185,6 @@ function drawFurniture(furniture: readonly Furniture[], planToSheet: Affine): Sh
     }),
   );
   return items.length > 0 ? [{ name: 'furniture', isVisible: true, items }] : [];
-}
-
-/** Room names over areas; where no rooms are known, the area within the primary boundary. */
-function drawLabels(storey: Storey, planToSheet: Affine, scale: number): SheetItem[] {
-  const obstacles = storey.secondary.map(({ outline }) => outline);
-  const rooms =
-    storey.rooms.length > 0 ? storey.rooms : storey.primary.map((outline) => ({ name: '', outline }));
-  return rooms.flatMap(({ name, outline }): SheetItem[] => {
-    const area = `${areaOf([outline]).toFixed(1)} m²`;
-    const lines = name === '' ? [area] : [name, area];
-    const free = combine('difference', [outline], obstacles);
-    const places = (free.length > 0 ? free : [outline]).map(labelPoint);
-    const [px, py, distance] = places.reduce((best, place) => (place[2] > best[2] ? place : best));
-    const width = Math.max(...lines.map((line) => textWidth(line, TEXT_SIZES.room)));
-    const [x, y] = mapped(Float64Array.of(px, py), planToSheet);
-    // Too narrow for a line of text: turned, since such rooms are mostly corridors.
-    const isNarrow = (2 * distance * 1000) / scale < width + 2 * LABEL_BLANK;
-    return isNarrow && lines.length === 1 && !isWiderThanDeep(mappedPolygon(outline, planToSheet))
-      ? [
-          {
-            kind: 'text',
-            size: 'label',
-            x: x + TEXT_SIZES.label / 3,
-            y,
-            text: area,
-            anchor: 'middle',
-            isUpright: true,
-          },
-        ]
-      : lines.map((text, i) => ({
-          kind: 'text',
-          size: i === 0 ? 'room' : 'label',
-          x,
-          y: y + TEXT_SIZES.room / 3 + (i - (lines.length - 1) / 2) * (TEXT_SIZES.room + 1),
-          text,
-          anchor: 'middle',
-        }));
-  });
 }
 
 /**
@@ -229,11 +223,6 @@ function shapeOf(
   return arcs.length > 0 ? { lines, arcs } : { lines };
 }
 
-function isWiderThanDeep(outline: Polygon): boolean {
-  const { minX, minY, maxX, maxY } = extentOf([outline]);
-  return maxX - minX > maxY - minY;
-}
-
 function legendOf(
   { walls, secondary, openings, furniture = [] }: Storey,
   gaps: readonly SheetItem[],
@@ -253,26 +242,39 @@ function legendOf(
   ];
 }
 
-function factsOf(
-  { name, plan }: Product,
+/** The title and the lines under it. */
+function titleWords(
+  { name, plan, options }: SheetFacts,
   storey: Storey,
   page: { scale: number; paper: string; turn: number },
 ): { title: string; lines: string[] } {
+  const unit = options.displayUnits;
   const count = plan.storeys.length;
-  const inner = areaOf(combine('union', storey.primary));
-  const outer = areaOf(footprint(storey));
+  const inner = formatArea(areaOf(combine('union', storey.primary)), unit);
+  const outer = formatArea(areaOf(footprint(storey)), unit);
+  const height = unit === 'm' ? `${storey.height.toFixed(2)} m` : formatDimension(storey.height, unit);
   const turned = page.turn === 0 ? '' : `, turned by ${Math.abs((page.turn * 180) / Math.PI).toFixed(1)}°`;
   const points = plan.source.pointsKept.toLocaleString('en-GB');
+  const date = options.sheetDate.trim();
+  const project = options.project.trim();
   return {
-    title: name.trim() === '' ? 'Floor plan' : name,
+    title: project || (name.trim() === '' ? 'Floor plan' : name),
     lines: [
-      count === 1 ? 'Floor plan' : `Floor plan, storey ${storey.index} of 0 to ${count - 1}`,
-      `Inside ${inner.toFixed(1)} m², with walls ${outer.toFixed(1)} m², height ${storey.height.toFixed(2)} m`,
-      `Scale 1:${page.scale} on ${page.paper}${turned}, dimensions in metres`,
+      [count === 1 ? 'Floor plan' : `Floor plan, storey ${storey.index} of 0 to ${count - 1}`, date]
+        .filter((part) => part !== '')
+        .join(', '),
+      `Inside ${inner}, with walls ${outer}, height ${height}`,
+      `Scale 1:${page.scale} on ${page.paper}${turned}, ${unit === 'm' ? 'metres' : 'feet and inches'}`,
       `Source: ${plan.source.name}, ${points} points`,
-      'Approximate: drawn from a point cloud',
+      'Approximate: from a point cloud; dashed is inferred',
     ],
   };
+}
+
+/** What the arrow shows: north where it is known, else the scan's y axis. Radians counter-clockwise from up. */
+function headingOf({ plan, options }: SheetFacts, turn: number): { heading: number; headingName: string } {
+  if (options.north !== 'auto') return { heading: turn - (options.north * Math.PI) / 180, headingName: 'N' };
+  return { heading: turn, headingName: plan.frame.crs === undefined ? 'y' : 'N' };
 }
 
 function mappedPolygon({ outer, holes }: Polygon, map: Affine): Polygon {

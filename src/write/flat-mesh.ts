@@ -1,6 +1,6 @@
-import type { Solid, SolidGroup } from '../core/types.ts';
+import type { TriangleMesh } from '../solid/triangle-mesh.ts';
 
-/** A group's triangles with one normal a vertex: float32, y up, metres. */
+/** A mesh's triangles with one normal a vertex: float32, y up, metres. */
 export interface FlatMesh {
   readonly positions: Float32Array;
   readonly normals: Float32Array;
@@ -14,12 +14,12 @@ const NORMAL_STEPS = 1e4;
  * Splits vertices where faces meet at an edge, so that every viewer shades flat faces flat; vertices within a face
  * stay shared. Plan axes (x right, y ahead, z up) become glTF's (x right, y up, z back). Linear.
  */
-export function flattenMesh({ positions: p, indices }: Solid, { start, count }: SolidGroup): FlatMesh {
+export function flattenMesh({ positions: p, indices }: TriangleMesh): FlatMesh {
   const positions: number[] = [];
   const normals: number[] = [];
   const numbers = new Map<string, number>();
-  const flat = new Uint32Array(count);
-  for (let i = start; i < start + count; i += 3) {
+  const flat = new Uint32Array(indices.length);
+  for (let i = 0; i < indices.length; i += 3) {
     const normal = triangleNormal(p, indices[i], indices[i + 1], indices[i + 2]);
     const face = normal.map((value) => Math.round(value * NORMAL_STEPS)).join(' ');
     for (let corner = i; corner < i + 3; corner++) {
@@ -32,7 +32,7 @@ export function flattenMesh({ positions: p, indices }: Solid, { start, count }: 
         positions.push(p[3 * vertex], p[3 * vertex + 2], -p[3 * vertex + 1]);
         normals.push(normal[0], normal[2], -normal[1]);
       }
-      flat[corner - start] = number;
+      flat[corner] = number;
     }
   }
   return { positions: Float32Array.from(positions), normals: Float32Array.from(normals), indices: flat };

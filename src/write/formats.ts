@@ -1,20 +1,31 @@
 import { FloorPlanError } from '../core/errors.ts';
-import { writeDxf } from './dxf.ts';
+import { writeDxf } from './dxf/dxf.ts';
 import { writeFrameJson } from './frame-json.ts';
 import { writeGeoJson } from './geojson.ts';
-import { writeGlb } from './glb.ts';
+import { writeGeoJsonWgs84 } from './geojson-wgs84.ts';
+import { writeCloudGlb, writeGlb } from './glb.ts';
+import { writeIfc } from './ifc/ifc.ts';
 import { writeMinimalSvg } from './minimal-svg.ts';
+import { writeObj } from './obj.ts';
+import { writePdf } from './pdf/pdf.ts';
 import { writePictures } from './pictures.ts';
 import { writePlanJson } from './plan-json.ts';
 import type { Product, WriteFormat, WrittenFile } from './plan-writer.ts';
+import { writePly } from './ply.ts';
+import { writePng } from './png.ts';
+import type { WriteTools } from './raster.ts';
 import { writeRoomsCsv } from './rooms-csv.ts';
+import { writeRoomsXlsx } from './rooms-xlsx.ts';
 import { writeSliceCsv } from './slice-csv.ts';
+import { writeStl } from './stl.ts';
 import { writeSvg } from './svg.ts';
+import { writeZip, type ZipOrder } from './zip.ts';
 
 /** Every file a plan can be written as: export menu, `--formats`, README table and round-trip tests come from here. */
 export const WRITE_FORMATS = {
   svg: {
-    label: 'SVG drawing',
+    label: 'SVG',
+    group: 'drawing',
     doc: 'The drawn plan to scale, with layers and georeference.',
     extension: 'svg',
     mime: 'image/svg+xml',
@@ -22,8 +33,30 @@ export const WRITE_FORMATS = {
     base: 'plan',
     write: writeSvg,
   },
+  pdf: {
+    label: 'PDF',
+    group: 'drawing',
+    doc: 'The drawn plan on one page of its paper, true to scale, with layers.',
+    extension: 'pdf',
+    mime: 'application/pdf',
+    isPerStorey: true,
+    base: 'plan',
+    write: writePdf,
+  },
+  png: {
+    label: 'PNG',
+    group: 'drawing',
+    doc: 'The drawn plan as a picture of 200 dots an inch; in Node it takes the package @napi-rs/canvas.',
+    extension: 'png',
+    mime: 'image/png',
+    isPerStorey: true,
+    isOnRequest: true,
+    base: 'plan',
+    write: writePng,
+  },
   'minimal-svg': {
     label: 'SVG paths',
+    group: 'drawing',
     doc: "Paths only in metres, the paper's; ready to be extruded.",
     extension: 'minimal.svg',
     mime: 'image/svg+xml',
@@ -33,7 +66,8 @@ export const WRITE_FORMATS = {
   },
   dxf: {
     label: 'DXF',
-    doc: 'Layered polylines in source coordinates for CAD (AutoCAD 2000).',
+    group: 'drawing',
+    doc: 'Rooms, walls, openings as blocks and dimensions for CAD (AutoCAD 2000), in source coordinates.',
     extension: 'dxf',
     mime: 'image/vnd.dxf',
     isPerStorey: true,
@@ -42,6 +76,7 @@ export const WRITE_FORMATS = {
   },
   geojson: {
     label: 'GeoJSON',
+    group: 'data',
     doc: 'Boundaries, walls and rooms with their measures in source coordinates.',
     extension: 'geojson',
     mime: 'application/geo+json',
@@ -49,8 +84,21 @@ export const WRITE_FORMATS = {
     base: 'plan',
     write: writeGeoJson,
   },
+  'geojson-wgs84': {
+    label: 'GeoJSON WGS 84',
+    group: 'data',
+    doc: 'The same in longitude and latitude (RFC 7946), where the scan names its coordinate system.',
+    extension: 'wgs84.geojson',
+    mime: 'application/geo+json',
+    needs: 'crs',
+    isPerStorey: false,
+    isOnRequest: true,
+    base: 'plan',
+    write: writeGeoJsonWgs84,
+  },
   glb: {
-    label: 'GLB model',
+    label: 'GLB',
+    group: 'model',
     doc: 'The 3D model in metres, y up.',
     extension: 'glb',
     mime: 'model/gltf-binary',
@@ -58,8 +106,63 @@ export const WRITE_FORMATS = {
     base: 'plan',
     write: writeGlb,
   },
+  'glb-points': {
+    label: 'GLB with points',
+    group: 'model',
+    doc: 'The 3D model with an even sample of the scan in its colours.',
+    extension: 'points.glb',
+    mime: 'model/gltf-binary',
+    needs: 'points',
+    isPerStorey: false,
+    isOnRequest: true,
+    base: 'plan',
+    write: writeCloudGlb,
+  },
+  ifc: {
+    label: 'IFC 4',
+    group: 'model',
+    doc: 'Spaces, walls, openings and slabs with quantities for BIM programs (Reference View).',
+    extension: 'ifc',
+    mime: 'application/x-step',
+    isPerStorey: false,
+    isOnRequest: true,
+    base: 'plan',
+    write: writeIfc,
+  },
+  obj: {
+    label: 'OBJ',
+    group: 'model',
+    doc: 'The 3D model as named objects with a material file, z up, in source units and coordinates.',
+    extension: 'obj',
+    mime: 'model/obj',
+    isOnRequest: true,
+    writeAll: writeObj,
+  },
+  stl: {
+    label: 'STL',
+    group: 'model',
+    doc: 'Closed shells for print: millimetres, z up.',
+    extension: 'stl',
+    mime: 'model/stl',
+    isPerStorey: false,
+    isOnRequest: true,
+    base: 'plan',
+    write: writeStl,
+  },
+  ply: {
+    label: 'PLY',
+    group: 'model',
+    doc: 'The 3D model as a mesh in float64 source coordinates, z up.',
+    extension: 'ply',
+    mime: 'application/octet-stream',
+    isPerStorey: false,
+    isOnRequest: true,
+    base: 'plan',
+    write: writePly,
+  },
   json: {
     label: 'Plan JSON',
+    group: 'data',
     doc: 'The whole plan with frame, options and warnings.',
     extension: 'json',
     mime: 'application/json',
@@ -69,6 +172,7 @@ export const WRITE_FORMATS = {
   },
   frame: {
     label: 'Georeference',
+    group: 'data',
     doc: "The paper's sidecar beside an SVG: frame, unit, scale and transforms.",
     extension: 'frame.json',
     mime: 'application/json',
@@ -78,15 +182,18 @@ export const WRITE_FORMATS = {
   },
   slice: {
     label: 'Slice CSV',
+    group: 'data',
     doc: 'The points the outline was found from, in source coordinates: one level of the whole scan, whatever its storeys.',
     extension: 'csv',
     mime: 'text/csv',
+    needs: 'points',
     isPerStorey: false,
     base: 'slice',
     write: writeSliceCsv,
   },
   rooms: {
     label: 'Rooms CSV',
+    group: 'data',
     doc: 'One line a room: name, storey, area, height, confidence.',
     extension: 'csv',
     mime: 'text/csv',
@@ -94,19 +201,53 @@ export const WRITE_FORMATS = {
     base: 'rooms',
     write: writeRoomsCsv,
   },
+  'rooms-xlsx': {
+    label: 'Rooms XLSX',
+    group: 'data',
+    doc: 'The rooms as a workbook, with net, gross internal and gross external areas by stated rules.',
+    extension: 'xlsx',
+    mime: 'application/vnd.openxmlformats-officedocument.spreadsheetml.sheet',
+    isPerStorey: false,
+    isOnRequest: true,
+    base: 'rooms',
+    write: writeRoomsXlsx,
+  },
   pictures: {
     label: 'Stage pictures',
+    group: 'drawing',
     doc: 'What every stage made, a captioned SVG each: picture-01-cloud.svg to picture-15-model.svg; where a stage fails, those before it.',
     extension: 'svg',
     mime: 'image/svg+xml',
     isOnRequest: true,
     writeAll: writePictures,
   },
+  zip: {
+    label: 'All as ZIP',
+    group: 'data',
+    doc: 'Every format above in one file, but for stage pictures and points.',
+    extension: 'zip',
+    mime: 'application/zip',
+    isPerStorey: false,
+    isOnRequest: true,
+    base: 'plan',
+    write: (product, _, tools) => writeZip(product, zipOrder(tools)),
+  },
 } as const satisfies Record<string, WriteFormat>;
 
 export type WriteFormatName = keyof typeof WRITE_FORMATS;
 
 export const WRITE_FORMAT_NAMES = Object.keys(WRITE_FORMATS) as readonly WriteFormatName[];
+
+/** Large, and about how the plan came about rather than the plan. */
+const NOT_ZIPPED: readonly string[] = ['pictures', 'glb-points', 'zip'];
+
+function zipOrder(tools: WriteTools): ZipOrder {
+  const formats = Object.entries(WRITE_FORMATS).filter(([name]) => !NOT_ZIPPED.includes(name));
+  return {
+    formats: formats.map(([name, { label, doc }]) => ({ name, label, doc })),
+    write: (product, name) => writeFiles(product, name, tools),
+  };
+}
 
 /** Formats that go along when a format is written to a folder: the paper puts a georeference beside an SVG. */
 export const SIDECARS: Partial<Record<WriteFormatName, readonly WriteFormatName[]>> = {
@@ -120,7 +261,11 @@ export const SIDECARS: Partial<Record<WriteFormatName, readonly WriteFormatName[
  *
  * @throws option/invalid for a name that is no format
  */
-export function writeFiles(product: Product, format: string): WrittenFile[] {
+export async function writeFiles(
+  product: Product,
+  format: string,
+  tools: WriteTools = {},
+): Promise<WrittenFile[]> {
   if (!Object.hasOwn(WRITE_FORMATS, format)) {
     throw new FloorPlanError(
       'option/invalid',
@@ -133,13 +278,12 @@ export function writeFiles(product: Product, format: string): WrittenFile[] {
   }
   const row: WriteFormat = WRITE_FORMATS[format as WriteFormatName];
   if ('writeAll' in row) return [...row.writeAll(product)];
-  const count = product.plan.storeys.length;
-  if (!row.isPerStorey || count === 1) {
-    return [{ name: `${row.base}.${row.extension}`, mime: row.mime, content: row.write(product, 0) }];
+  const { base, extension, mime } = row;
+  const storeys = row.isPerStorey ? product.plan.storeys.length : 1;
+  const files: WrittenFile[] = [];
+  for (let storey = 0; storey < storeys; storey++) {
+    const name = storeys === 1 ? base : `${base}-${storey}`;
+    files.push({ name: `${name}.${extension}`, mime, content: await row.write(product, storey, tools) });
   }
-  return product.plan.storeys.map((_, storey) => ({
-    name: `${row.base}-${storey}.${row.extension}`,
-    mime: row.mime,
-    content: row.write(product, storey),
-  }));
+  return files;
 }

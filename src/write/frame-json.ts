@@ -1,7 +1,6 @@
+import { type Affine, chain, inverse, type Sheet } from '../core/sheet.ts';
 import type { FloorPlan } from '../core/types.ts';
-import { drawSheet } from './draw-sheet.ts';
 import type { Product } from './plan-writer.ts';
-import { type Affine, chain, inverse, type Sheet } from './sheet.ts';
 
 /** The georeference an SVG cannot hold: how places on a drawing are places in the scan. */
 export interface FrameFacts {
@@ -66,6 +65,6 @@ export function frameFacts(plan: FloorPlan, sheet: Sheet): FrameFacts {
 }
 
 /** Writes plan.frame.json: the paper's sidecar, which brings the georeference an SVG lacks ([Stojanovic19] §3). */
-export function writeFrameJson(product: Product, storey: number): string {
-  return `${JSON.stringify(frameFacts(product.plan, drawSheet(product, storey)), null, 2)}\n`;
+export function writeFrameJson({ plan, sheet }: Product, storey: number): string {
+  return `${JSON.stringify(frameFacts(plan, sheet[storey]), null, 2)}\n`;
 }

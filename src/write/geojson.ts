@@ -1,12 +1,12 @@
 import { areaOf } from '../core/geometry/areas.ts';
 import { circlesOf } from '../core/geometry/ring-arcs.ts';
 import { ringsOf } from '../core/geometry/rings.ts';
-import { circlesIn, type SourceCoordinates, sourceCoordinates } from '../core/source-coordinates.ts';
-import type { Opening, Polygon, Ring, Storey } from '../core/types.ts';
+import { circlesIn, sourceCoordinates } from '../core/source-coordinates.ts';
+import type { FloorPlan, Opening, Polygon, Ring, Storey } from '../core/types.ts';
 import { arcStart, arcTurn } from './arc-strokes.ts';
 import { rounded } from './decimals.ts';
 import type { Product } from './plan-writer.ts';
-import { roundedPolygons } from './rounded-polygons.ts';
+import { type FileCurves, roundedPolygons } from './rounded-polygons.ts';
 
 /** Decimals of metres and square metres in properties. */
 const DIGITS = 4;
@@ -15,40 +15,63 @@ const ANGLE_DIGITS = 6;
 
 type Position = readonly [number, number];
 
+/** How a file's coordinates are written. */
+export interface Places {
+  /** From plan metres to rounded coordinates. */
+  place(x: number, y: number): Position;
+  /** What arcs may be told of; absent where circles are none in those coordinates. */
+  curvesOf?(polygon: Polygon): FileCurves;
+  /** Decimals. */
+  readonly digits: number;
+}
+
 /**
  * Writes plan.geojson: all storeys as features in the plan frame, source units and source coordinates to 0.1 mm, rings
  * closed and turned as RFC 7946 §3.1.6 asks (contract: plan.geojson).
  */
-export function writeGeoJson({ plan }: Product): string {
+export function writeGeoJson({ plan }: Pick<Product, 'plan'>): string {
   const to = sourceCoordinates(plan.frame);
   const { unit, metresPerUnit, crs } = plan.frame;
-  const features = plan.storeys.flatMap((storey) => featuresOf(storey, to, metresPerUnit));
   const frame = crs === undefined ? { unit, metresPerUnit } : { unit, metresPerUnit, crs };
-  // A feature a line: readable, and small differences stay small.
-  const lines = features.map((feature) => JSON.stringify(feature)).join(',\n');
-  return `{"type":"FeatureCollection","frame":${JSON.stringify(frame)},"features":[\n${lines}\n]}\n`;
+  const features = planFeatures(plan, {
+    place: (x, y) => [rounded(to.x(x), to.digits), rounded(to.y(y), to.digits)],
+    curvesOf: (polygon) => ({ circles: circlesIn(to, metresPerUnit, circlesOf(polygon)), metresPerUnit }),
+    digits: to.digits,
+  });
+  return collection({ frame }, features);
 }
 
-function featuresOf(storey: Storey, to: SourceCoordinates, metresPerUnit: number): object[] {
+export type PlanFeature = Readonly<Record<'geometry' | 'properties', object>>;
+
+/** Everything of a plan as features. */
+export function planFeatures({ storeys }: Pick<FloorPlan, 'storeys'>, places: Places): PlanFeature[] {
+  return storeys.flatMap((storey) => featuresOf(storey, places));
+}
+
+/** A feature a line: readable, and small differences stay small. @param members of the collection itself */
+export function collection(members: object, features: readonly PlanFeature[]): string {
+  const head = JSON.stringify({ type: 'FeatureCollection', ...members }).slice(0, -1);
+  const lines = features.map((feature) => JSON.stringify(feature)).join(',\n');
+  return `${head},"features":[\n${lines}\n]}\n`;
+}
+
+function featuresOf(storey: Storey, { place, curvesOf, digits }: Places): PlanFeature[] {
   const feature = (kind: string, geometry: object, properties: object) => ({
     type: 'Feature',
     geometry,
     properties: { kind, storey: storey.index, ...properties },
   });
   const areas = (kind: string, polygon: Polygon, propertiesOf: (piece: Polygon) => object) =>
-    roundedPolygons(polygon, (x, y) => position(x, y, to), {
-      circles: circlesIn(to, metresPerUnit, circlesOf(polygon)),
-      metresPerUnit,
-    }).map(({ piece, rounded }) =>
+    roundedPolygons(polygon, place, curvesOf?.(polygon)).map(({ piece, rounded }) =>
       feature(
         kind,
         { type: 'Polygon', coordinates: ringsOf([rounded]).map(closed) },
-        { ...propertiesOf(piece), ...arcsOf(rounded, to.digits) },
+        { ...propertiesOf(piece), ...arcsOf(rounded, digits) },
       ),
     );
   const line = (...ends: readonly Opening['from'][]) => ({
     type: 'LineString',
-    coordinates: ends.map(([x, y]) => position(x, y, to)),
+    coordinates: ends.map(([x, y]) => place(x, y)),
   });
   return [
     ...storey.primary.flatMap((polygon) =>
@@ -120,10 +143,5 @@ function closed(ring: Ring): Position[] {
   );
   return [...positions, positions[0]];
 }
-
-const position = (x: number, y: number, to: SourceCoordinates): Position => [
-  rounded(to.x(x), to.digits),
-  rounded(to.y(y), to.digits),
-];
 
 const number = (value: number): number => rounded(value, DIGITS);

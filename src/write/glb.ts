@@ -1,148 +1,144 @@
-import { cloudBounds } from '../core/cloud-bounds.ts';
-import type { SolidGroup } from '../core/types.ts';
+import { areaOf } from '../core/geometry/areas.ts';
+import type { PointCloud, Storey } from '../core/types.ts';
+import type { TriangleMesh } from '../solid/triangle-mesh.ts';
+import { rounded } from './decimals.ts';
 import { flattenMesh } from './flat-mesh.ts';
-import type { Product } from './plan-writer.ts';
+import { GlbFile } from './glb-file.ts';
+import { MATERIALS, type MaterialName, modelParts } from './model-parts.ts';
+import { noPointsFor, type Product } from './plan-writer.ts';
 
-/** Base colours, linear RGB: clay walls, paper floors, muted blue structures. */
-const COLOURS: Record<SolidGroup['kind'], readonly [number, number, number]> = {
-  wall: [0.76, 0.74, 0.7],
-  floor: [0.91, 0.9, 0.87],
-  ceiling: [0.91, 0.9, 0.87],
-  secondary: [0.36, 0.47, 0.7],
-};
-
-/** Constants of [glTF] §4.4 and §5: GLB framing, accessor and buffer view types. */
-const MAGIC = 0x46546c67;
-const JSON_CHUNK = 0x4e4f534a;
-const BIN_CHUNK = 0x004e4942;
-const FLOAT = 5126;
-const UNSIGNED_INT = 5125;
-const UNSIGNED_SHORT = 5123;
-const VERTICES = 34962;
-const ELEMENTS = 34963;
-const SHORT_LIMIT = 65535;
-
-interface Gltf {
-  accessors: object[];
-  bufferViews: object[];
-  materials: object[];
-  meshes: object[];
-  nodes: object[];
-}
+/** Points of the cloud that go along where asked for: a few MB. */
+const CLOUD_POINTS = 200_000;
+/** Drawing mode of glTF. */
+const POINTS = 0;
+/** Decimals of measures in extras: 0.1 mm. */
+const DIGITS = 4;
 
 /**
- * Writes plan.glb: glTF 2.0 in metres, y up, one node a group of the solid, flat-shaded.
+ * Writes plan.glb: glTF 2.0 in metres, y up, flat-shaded; a node a storey, which tells its rooms in `extras`, and in it
+ * a node a part: `wall-0`, `floor-0`, `column-0`, `door-0`, `window-0` …
  *
  * Coordinates are float32 relative to the frame's origin, which stands with full digits in `asset.extras.frame`, so
  * a building at UTM coordinates loses nothing.
  */
-export function writeGlb({ name, plan, solid }: Product): Uint8Array<ArrayBuffer> {
-  const gltf: Gltf = { accessors: [], bufferViews: [], materials: [], meshes: [], nodes: [] };
-  const bytes = new ByteList();
-  const kinds = [...new Set(solid.groups.map(({ kind }) => kind))];
-  for (const kind of kinds) gltf.materials.push(material(kind));
-  for (const group of solid.groups) {
-    const { positions, normals, indices } = flattenMesh(solid, group);
-    const isShort = positions.length / 3 <= SHORT_LIMIT;
-    const position = addAccessor(gltf, bytes, { data: positions, ...bounds(positions) });
-    const normal = addAccessor(gltf, bytes, { data: normals });
-    const order = addAccessor(gltf, bytes, { data: isShort ? Uint16Array.from(indices) : indices });
-    const attributes = { POSITION: position, NORMAL: normal };
-    const primitive = { attributes, indices: order, material: kinds.indexOf(group.kind) };
-    gltf.meshes.push({ name: group.name, primitives: [primitive] });
-    const extras = { kind: group.kind, storey: group.storey };
-    gltf.nodes.push({ name: group.name, mesh: gltf.meshes.length - 1, extras });
-  }
-  const nodes = gltf.nodes.map((_, i) => i);
-  return frameGlb(
-    {
-      asset: { version: '2.0', generator: 'Grundriss', extras: { frame: plan.frame } },
-      scene: 0,
-      scenes: [nodes.length > 0 ? { name, nodes } : { name }],
-      // glTF has no empty lists.
-      ...Object.fromEntries(Object.entries(gltf).filter(([, list]) => list.length > 0)),
-      ...(bytes.length > 0 ? { buffers: [{ byteLength: bytes.length }] } : {}),
-    },
-    bytes.join(),
-  );
+export function writeGlb(product: Product): Uint8Array<ArrayBuffer> {
+  const file = new GlbFile();
+  return finish(file, product, addStoreys(file, product));
 }
 
-function material(kind: SolidGroup['kind']): object {
-  const pbrMetallicRoughness = {
-    baseColorFactor: [...COLOURS[kind], 1],
-    metallicFactor: 0,
-    roughnessFactor: 0.9,
+/**
+ * Writes {@link writeGlb} with an even sample of the scan's points in their colours, as the node `cloud`.
+ *
+ * @throws result/cannot-write for a plan without its scan
+ */
+export function writeCloudGlb(product: Product): Uint8Array<ArrayBuffer> {
+  const { crop, outliers } = product;
+  if (crop === undefined) throw noPointsFor('plan.points.glb', 'glb-points');
+  const file = new GlbFile();
+  const nodes = addStoreys(file, product);
+  if (crop.positions.length > 0) nodes.push(addCloud(file, crop, outliers));
+  return finish(file, product, nodes);
+}
+
+function finish(file: GlbFile, { name, plan }: Product, nodes: readonly number[]): Uint8Array<ArrayBuffer> {
+  return file.toBytes({
+    asset: { version: '2.0', generator: 'Grundriss', extras: { frame: plan.frame } },
+    scene: 0,
+    scenes: [nodes.length > 0 ? { name, nodes } : { name }],
+  });
+}
+
+/** @returns the nodes of storeys that have parts; a node without any would be empty */
+function addStoreys(file: GlbFile, product: Product): number[] {
+  const materials = new Map<MaterialName, number>();
+  const materialOf = (name: MaterialName): number => {
+    const known = materials.get(name) ?? file.add('materials', material(name));
+    materials.set(name, known);
+    return known;
   };
-  return { name: kind, pbrMetallicRoughness };
+  const children = product.plan.storeys.map((): number[] => []);
+  for (const { name, storey, facts, surfaces } of modelParts(product)) {
+    const primitives = surfaces.map((surface) => ({
+      ...meshPrimitive(file, surface.mesh),
+      material: materialOf(surface.material),
+    }));
+    const mesh = file.add('meshes', { name, primitives });
+    const extras = { ...facts, storey: product.plan.storeys[storey].index };
+    children[storey].push(file.add('nodes', { name, mesh, extras }));
+  }
+  return product.plan.storeys.flatMap((storey, i) => {
+    if (children[i].length === 0) return [];
+    const name = `storey-${storey.index}`;
+    return file.add('nodes', { name, children: children[i], extras: storeyFacts(storey) });
+  });
 }
 
-function addAccessor(
-  gltf: Gltf,
-  bytes: ByteList,
-  { data, ...range }: { data: Float32Array | Uint16Array | Uint32Array; min?: number[]; max?: number[] },
+function storeyFacts({ index, floor, height, rooms }: Storey): object {
+  return {
+    storey: index,
+    floor: rounded(floor, DIGITS),
+    height: rounded(height, DIGITS),
+    rooms: rooms.map((room) => ({
+      name: room.name,
+      areaM2: rounded(areaOf([room.outline]), DIGITS),
+      height: rounded(room.height, DIGITS),
+    })),
+  };
+}
+
+function meshPrimitive(file: GlbFile, mesh: TriangleMesh): object {
+  const { positions, normals, indices } = flattenMesh(mesh);
+  return {
+    attributes: { POSITION: file.addPositions(positions), NORMAL: file.addNormals(normals) },
+    indices: file.addIndices(indices, positions.length / 3),
+  };
+}
+
+function material(name: MaterialName): object {
+  const { colour, opacity, roughness } = MATERIALS[name];
+  const pbrMetallicRoughness = {
+    baseColorFactor: [...colour, opacity],
+    metallicFactor: 0,
+    roughnessFactor: roughness,
+  };
+  return { name, pbrMetallicRoughness, ...(opacity < 1 && { alphaMode: 'BLEND' }) };
+}
+
+/**
+ * Every so manieth point that is no outlier: a cloud is in order of its lattice cells, so the sample is even.
+ *
+ * @returns its node
+ */
+function addCloud(
+  file: GlbFile,
+  { positions, attributes }: PointCloud,
+  kept: Uint32Array | undefined,
 ): number {
-  const isVector = data instanceof Float32Array;
-  const byteOffset = bytes.add(new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
-  const target = isVector ? VERTICES : ELEMENTS;
-  gltf.bufferViews.push({ buffer: 0, byteOffset, byteLength: data.byteLength, target });
-  gltf.accessors.push({
-    bufferView: gltf.bufferViews.length - 1,
-    componentType: isVector ? FLOAT : data instanceof Uint16Array ? UNSIGNED_SHORT : UNSIGNED_INT,
-    count: isVector ? data.length / 3 : data.length,
-    type: isVector ? 'VEC3' : 'SCALAR',
-    ...range,
-  });
-  return gltf.accessors.length - 1;
-}
-
-function bounds(positions: Float32Array): { min: number[]; max: number[] } {
-  const { min, max } = cloudBounds(positions);
-  return { min: [...min], max: [...max] };
-}
-
-/** Bytes laid end to end, each piece at a multiple of four as glTF asks. */
-class ByteList {
-  readonly #pieces: Uint8Array[] = [];
-  length = 0;
-
-  /** @returns offset of the piece */
-  add(piece: Uint8Array): number {
-    const offset = this.length;
-    this.#pieces.push(piece);
-    this.length = padded(offset + piece.length);
-    return offset;
-  }
-
-  join(): Uint8Array {
-    const joined = new Uint8Array(this.length);
-    let offset = 0;
-    for (const piece of this.#pieces) {
-      joined.set(piece, offset);
-      offset = padded(offset + piece.length);
+  const all = kept?.length ?? positions.length / 3;
+  const count = Math.min(CLOUD_POINTS, all);
+  const places = new Float32Array(3 * count);
+  const { colour } = attributes;
+  const colours = new Uint8Array(colour === undefined ? 0 : 4 * count).fill(255);
+  for (let i = 0; i < count; i++) {
+    const at = Math.floor((i * all) / count);
+    const point = 3 * (kept?.[at] ?? at);
+    // 0 − y, since −y may be a negative zero.
+    places.set([positions[point], positions[point + 2], 0 - positions[point + 1]], 3 * i);
+    if (colour !== undefined) {
+      for (let k = 0; k < 3; k++) colours[4 * i + k] = LINEAR[colour[point + k]];
     }
-    return joined;
   }
-}
-
-const padded = (length: number): number => 4 * Math.ceil(length / 4);
-
-/** GLB: a header of 12 bytes, then chunks of a length, a type and content padded to four bytes. */
-function frameGlb(gltf: object, binary: Uint8Array): Uint8Array<ArrayBuffer> {
-  const json = new TextEncoder().encode(JSON.stringify(gltf));
-  const jsonLength = padded(json.length);
-  const total = 12 + 8 + jsonLength + (binary.length > 0 ? 8 + binary.length : 0);
-  const file = new Uint8Array(total);
-  const view = new DataView(file.buffer);
-  [MAGIC, 2, total, jsonLength, JSON_CHUNK].forEach((word, i) => {
-    view.setUint32(4 * i, word, true);
+  const coloured = colour === undefined ? {} : { COLOR_0: file.addColours(colours) };
+  const attributesOf = { POSITION: file.addPositions(places), ...coloured };
+  const mesh = file.add('meshes', {
+    name: 'cloud',
+    primitives: [{ mode: POINTS, attributes: attributesOf }],
   });
-  file.fill(0x20, 20, 20 + jsonLength);
-  file.set(json, 20);
-  if (binary.length > 0) {
-    const start = 20 + jsonLength;
-    view.setUint32(start, binary.length, true);
-    view.setUint32(start + 4, BIN_CHUNK, true);
-    file.set(binary, start + 8);
-  }
-  return file;
+  return file.add('nodes', { name: 'cloud', mesh, extras: { points: count, of: all } });
 }
+
+/** Colours of scans are sRGB, those of glTF's vertices are linear (IEC 61966-2-1). */
+const LINEAR = Uint8Array.from({ length: 256 }, (_, i) => {
+  const value = i / 255;
+  return Math.round(255 * (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
+});

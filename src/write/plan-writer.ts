@@ -1,8 +1,12 @@
+import { FloorPlanError } from '../core/errors.ts';
+import type { Options } from '../core/params.ts';
 import type { StageResults } from '../core/stage-results.ts';
+import type { WriteTools } from './raster.ts';
 
-/** All that writers may draw on: what one run's stages made; pictures alone need more than plan, slice and solid. */
+/** All that writers may draw on: what one run's stages made; pictures alone need more. */
 export type Product = Partial<StageResults> &
-  Pick<StageResults, 'plan' | 'slice' | 'solid'> & {
+  Pick<StageResults, 'plan' | 'slice' | 'solid' | 'sheet'> & {
+    readonly options: Options;
     /** Base name of the input, without extension; titles drawings. */
     readonly name: string;
   };
@@ -14,11 +18,17 @@ export interface WrittenFile {
   readonly content: string | Uint8Array<ArrayBuffer>;
 }
 
+/** What a format is for: to be looked at and drawn on, to be walked around, to be computed with. */
+export type FormatGroup = 'drawing' | 'model' | 'data';
+
 interface FormatFacts {
   readonly label: string;
+  readonly group: FormatGroup;
   readonly doc: string;
   readonly extension: string;
   readonly mime: string;
+  /** What a plan may lack: its scan's points, or the coordinate system that the scan tells. */
+  readonly needs?: 'points' | 'crs';
   /** The command writes it only when `--formats` names it. */
   readonly isOnRequest?: boolean;
 }
@@ -30,12 +40,25 @@ export interface FileFormat extends FormatFacts {
   /** Base name of the file: plan, slice, rooms … */
   readonly base: string;
   /** @param storey index of the storey where the format is per storey, else 0 */
-  write(product: Product, storey: number): WrittenFile['content'];
+  write(
+    product: Product,
+    storey: number,
+    tools: WriteTools,
+  ): WrittenFile['content'] | Promise<WrittenFile['content']>;
 }
 
 /** A format of as many files as the product gives. */
 export interface FileSetFormat extends FormatFacts {
   writeAll(product: Product): readonly WrittenFile[];
+}
+
+/** Why a file of points cannot be written of a plan that was opened without its scan. */
+export function noPointsFor(file: string, format: string): FloorPlanError {
+  return new FloorPlanError(
+    'result/cannot-write',
+    `${file}: expected points, found a plan without its scan`,
+    { hint: 'Load the scan itself to write its points.', detail: { format } },
+  );
 }
 
 /** A row of WRITE_FORMATS, keyed by the name used in `--formats` and `export(format)`. */

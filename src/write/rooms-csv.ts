@@ -1,19 +1,31 @@
-import { areaOf } from '../core/geometry/areas.ts';
 import { decimal } from './decimals.ts';
 import type { Product } from './plan-writer.ts';
+import { roomLines } from './room-schedule.ts';
 
 const DIGITS = 4;
+/** Columns stay where they are: new ones come at the end. */
+const NUMBERS = [
+  'storey',
+  'areaM2',
+  'heightM',
+  'confidence',
+  'number',
+  'perimeterM',
+  'volumeM3',
+  'doors',
+  'windows',
+  'passages',
+] as const;
 
-/** Writes rooms.csv: one line a room, lowest storey first; the header alone where no rooms are known. */
-export function writeRoomsCsv({ plan }: Product): string {
-  const lines = ['name,storey,areaM2,heightM,confidence'];
-  for (const { index, rooms } of plan.storeys) {
-    for (const { name, outline, height, confidence } of rooms) {
-      const numbers = [index, areaOf([outline]), height, confidence].map((value) => decimal(value, DIGITS));
-      lines.push([quoted(name), ...numbers].join(','));
-    }
-  }
-  return `${lines.join('\n')}\n`;
+/**
+ * Writes rooms.csv: one line a room, lowest storey first; the header alone where no rooms are known. Without totals, so that
+ * every line is a room: those are in rooms.xlsx.
+ */
+export function writeRoomsCsv({ plan }: Pick<Product, 'plan'>): string {
+  const lines = roomLines(plan).map((room) =>
+    [quoted(room.name), ...NUMBERS.map((key) => decimal(room[key], DIGITS))].join(','),
+  );
+  return `${[['name', ...NUMBERS].join(','), ...lines].join('\n')}\n`;
 }
 
 /** Quotes where RFC 4180 asks for it; an apostrophe keeps spreadsheets from taking a name for a formula. */

@@ -1,5 +1,8 @@
+import type { StageContext } from '../core/context.ts';
 import type { Bounds } from '../core/geometry/rings.ts';
-import type { Affine, Paper } from './sheet.ts';
+import type { Options } from '../core/params.ts';
+import type { Affine, Paper } from '../core/sheet.ts';
+import type { Warning } from '../core/types.ts';
 
 /** Room around the plan for dimension chains, mm a side. */
 export interface Surround {
@@ -44,35 +47,71 @@ const SCALES = [
   [2000, 4],
 ] as const;
 
+/** What a person asked of the page. */
+export type PageChoice = Pick<Options, 'paperSize' | 'sheetScale'>;
+
+/** How one looks for a page: a scale, and the papers (indices) it may take. */
+interface Try {
+  readonly scale: number;
+  readonly smallest: number;
+  readonly largest: number;
+}
+
 /**
  * Chooses scale and paper: the largest scale whose plan fits a paper worth it, on the smallest such paper, and puts
  * the plan in the middle of the space above the strip. Larger than 1:2000 on A0, the scale goes on in steps of 1-2-5.
+ *
+ * @param warn told where the scale asked for fits no paper that may be taken; the next smaller one that does is taken
  */
-export function fitPage(extent: Bounds, surround: Surround): Page {
-  for (const [scale, largest] of SCALES) {
-    const paper = smallestPaper(extent, surround, { scale, largest });
-    if (paper !== null) return pageOf(paper, scale, extent, surround);
+export function fitPage(
+  extent: Bounds,
+  surround: Surround,
+  choice: PageChoice,
+  warn: StageContext['warn'] = () => {},
+): Page {
+  for (const tried of pagesToTry(choice)) {
+    const paper = smallestPaper(extent, surround, tried);
+    if (paper === null) continue;
+    const asked = choice.sheetScale;
+    if (asked !== 'auto' && asked !== `1:${tried.scale}`) warn(doesNotFit(asked, paper.name, tried.scale));
+    return pageOf(paper, tried.scale, extent, surround);
+  }
+  throw new Error('Scales without end fit any plan.');
+}
+
+function* pagesToTry({ paperSize, sheetScale }: PageChoice): Generator<Try> {
+  const last = PAPERS.length - 1;
+  const size = PAPERS.findIndex(({ name }) => name === paperSize);
+  const asked = sheetScale === 'auto' ? 0 : Number(sheetScale.slice('1:'.length));
+  const [smallest, most] = size < 0 ? [0, last] : [size, size];
+  for (const [scale, worth] of SCALES) {
+    if (scale < asked) continue;
+    yield { scale, smallest, largest: size < 0 && scale !== asked ? worth : most };
   }
   for (let power = 1000; ; power *= 10) {
-    for (const step of [5, 10, 20]) {
-      const scale = step * power;
-      const paper = smallestPaper(extent, surround, { scale, largest: PAPERS.length - 1 });
-      if (paper !== null) return pageOf(paper, scale, extent, surround);
-    }
+    for (const step of [5, 10, 20]) yield { scale: step * power, smallest, largest: most };
   }
+}
+
+function doesNotFit(asked: string, paper: string, scale: number): Warning {
+  return {
+    code: 'sheet/scale-too-large',
+    message: `At ${asked} the plan does not fit the paper; it is drawn 1:${scale} on ${paper}.`,
+    hint: 'Choose a larger paper or another scale.',
+  };
 }
 
 function smallestPaper(
   { minX, minY, maxX, maxY }: Bounds,
   { left, right, top, bottom }: Surround,
-  { scale, largest }: { scale: number; largest: number },
+  { scale, smallest, largest }: Try,
 ): Paper | null {
   const [planWidth, planHeight] = [((maxX - minX) * 1000) / scale, ((maxY - minY) * 1000) / scale];
   const needed = [
     planWidth + left + right + 2 * MARGIN,
     planHeight + top + bottom + STRIP + 2 * MARGIN,
   ] as const;
-  for (const { name, short, long } of PAPERS.slice(0, largest + 1)) {
+  for (const { name, short, long } of PAPERS.slice(smallest, largest + 1)) {
     const turned: Paper[] = [
       { name, width: long, height: short },
       { name, width: short, height: long },

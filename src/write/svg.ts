@@ -1,9 +1,3 @@
-import type { RingArc } from '../core/types.ts';
-import { arcStrokes } from './arc-strokes.ts';
-import { decimal } from './decimals.ts';
-import { drawSheet } from './draw-sheet.ts';
-import { frameFacts } from './frame-json.ts';
-import type { Product } from './plan-writer.ts';
 import {
   LINE_STYLES,
   type LineStyle,
@@ -14,26 +8,27 @@ import {
   type SheetPath,
   type SheetText,
   TEXT_SIZES,
-} from './sheet.ts';
+} from '../core/sheet.ts';
+import type { FloorPlan, RingArc } from '../core/types.ts';
+import { arcStrokes } from './arc-strokes.ts';
+import { decimal } from './decimals.ts';
+import { frameFacts } from './frame-json.ts';
+import type { Product } from './plan-writer.ts';
+import { SHEET_FONT } from './raster.ts';
+import { INK, PAPER, POINT_INK, POINT_SIZE } from './sheet-ink.ts';
 import { attributes, escapeXml } from './xml.ts';
-
-const INK = '#1B1F24';
-const PAPER = '#FFFFFF';
-/** Share of ink in the points beneath a plan, and their size, mm. */
-const POINT_INK = 0.2;
-const POINT_SIZE = 0.25;
 
 /**
  * Writes plan.svg: a sheet in millimetres with named layers, whose root and metadata say how to get from a place on
  * the sheet back to the scan. No styles and no scripts, so it shows under any content policy; ink is `currentColor`.
  */
-export function writeSvg(product: Product, storey: number): string {
-  const sheet = drawSheet(product, storey);
-  return sheetToSvg(sheet, JSON.stringify(frameFacts(product.plan, sheet)));
+export function writeSvg({ plan, sheet }: Product, storey: number): string {
+  return sheetToSvg(sheet[storey], plan);
 }
 
-/** @param frame georeference as JSON, for the metadata */
-function sheetToSvg(sheet: Sheet, frame: string): string {
+/** A sheet as SVG, with the georeference of its plan. */
+export function sheetToSvg(sheet: Sheet, plan: FloorPlan): string {
+  const frame = JSON.stringify(frameFacts(plan, sheet));
   const { width, height } = sheet.paper;
   const root = attributes({
     xmlns: 'http://www.w3.org/2000/svg',
@@ -41,7 +36,7 @@ function sheetToSvg(sheet: Sheet, frame: string): string {
     height: `${height}mm`,
     viewBox: `0 0 ${width} ${height}`,
     color: INK,
-    'font-family': 'Helvetica Neue, Helvetica, Arial, sans-serif',
+    'font-family': SHEET_FONT,
     'data-plan-to-sheet': sheet.planToSheet.join(' '),
     'data-scale': sheet.scale,
     'data-storey': sheet.storey,

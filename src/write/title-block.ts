@@ -1,8 +1,9 @@
+import { type Paper, type SheetItem, TEXT_SIZES } from '../core/sheet.ts';
 import type { Opening } from '../core/types.ts';
 import { greatestRound } from './decimals.ts';
 import { hatch } from './hatch.ts';
+import { type DisplayUnit, METRES_PER_FOOT } from './measure-words.ts';
 import { HATCHES } from './secondary-hatch.ts';
-import { type Paper, type SheetItem, TEXT_SIZES } from './sheet.ts';
 import { MARGIN, STRIP } from './sheet-page.ts';
 import { shorten } from './text-width.ts';
 
@@ -14,13 +15,15 @@ export interface TitleFacts {
   /** Small lines under the title, top to bottom. */
   readonly lines: readonly string[];
   readonly legend: readonly LegendEntry[];
-  /** How far the plan is turned on the sheet, radians counter-clockwise. */
-  readonly turn: number;
+  /** Where the arrow points, radians counter-clockwise from up, and what is there. */
+  readonly heading: number;
+  readonly headingName: string;
+  readonly unit: DisplayUnit;
 }
 
 /** Width of the title's column at the right, mm. */
 const TITLE_WIDTH = 96;
-/** The arrow along the scan's y axis: its column at the right edge, and half its length, mm. */
+/** The arrow: its column at the right edge, and half its length, mm. */
 const ARROW = { column: 14, reach: 4.5, head: 2.6, half: 1 } as const;
 const LINE_HEIGHT = 4.2;
 /** Segments of the scale bar, and what one may be long, mm. */
@@ -50,8 +53,8 @@ export function drawTitleBlock(facts: TitleFacts, paper: Paper, scale: number): 
   return [
     { kind: 'path', style: 'rule', lines: [rule], isClosed: false },
     ...drawTitle(facts, paper.width - MARGIN - TITLE_WIDTH, top),
-    ...drawHeading(facts.turn, paper.width - MARGIN - ARROW.column / 2, top + 3 + ARROW.column / 2),
-    ...drawScaleBar(scale, MARGIN, top + 6),
+    ...drawHeading(facts, paper.width - MARGIN - ARROW.column / 2, top + 3 + ARROW.column / 2),
+    ...drawScaleBar(scale, facts.unit, MARGIN, top + 6),
     ...drawLegend(facts.legend, MARGIN, top + 15),
   ];
 }
@@ -71,9 +74,9 @@ function drawTitle({ title, lines }: TitleFacts, x: number, top: number): SheetI
   return items;
 }
 
-/** Where the scan's y axis points on the sheet. */
-function drawHeading(turn: number, x: number, y: number): SheetItem[] {
-  const [right, up] = [-Math.sin(turn), Math.cos(turn)];
+/** The arrow to north, or along the scan's y axis. */
+function drawHeading({ heading, headingName }: TitleFacts, x: number, y: number): SheetItem[] {
+  const [right, up] = [-Math.sin(heading), Math.cos(heading)];
   const at = (along: number, aside: number) => [
     x + along * right + aside * up,
     y - along * up + aside * right,
@@ -84,22 +87,23 @@ function drawHeading(turn: number, x: number, y: number): SheetItem[] {
   const point = Float64Array.of(...tip, ...at(reach - head, half), ...at(reach - head, -half));
   const [labelX, labelY] = at(reach + TEXT_SIZES.label / 2 + 0.8, 0);
   return [
-    { kind: 'path', style: 'rule', lines: [shaft], isClosed: false },
+    { kind: 'path', style: 'rule', lines: [shaft], isClosed: false, id: 'heading' },
     { kind: 'path', style: 'scaleBar', lines: [point], isClosed: true },
     {
       kind: 'text',
       size: 'label',
       x: labelX,
       y: labelY + TEXT_SIZES.label / 3,
-      text: 'y',
+      text: headingName,
       anchor: 'middle',
     },
   ];
 }
 
-function drawScaleBar(scale: number, left: number, top: number): SheetItem[] {
-  const metres = greatestRound((LONGEST_SEGMENT * scale) / 1000);
-  const width = (metres * 1000) / scale;
+function drawScaleBar(scale: number, unit: DisplayUnit, left: number, top: number): SheetItem[] {
+  const unitLength = unit === 'm' ? 1 : METRES_PER_FOOT;
+  const segment = greatestRound((LONGEST_SEGMENT * scale) / 1000 / unitLength);
+  const width = (segment * unitLength * 1000) / scale;
   const box = (i: number) => {
     const [x, y] = [left + i * width, top + BAR_HEIGHT];
     return Float64Array.of(x, top, x + width, top, x + width, y, x, y);
@@ -114,8 +118,8 @@ function drawScaleBar(scale: number, left: number, top: number): SheetItem[] {
     { kind: 'path', style: 'rule', lines: [outline], isClosed: true },
   ];
   for (let i = 0; i <= SEGMENTS; i++) {
-    const figure = String(Number((i * metres).toPrecision(3)));
-    const text = i === SEGMENTS ? `${figure} m` : figure;
+    const figure = String(Number((i * segment).toPrecision(3)));
+    const text = i === SEGMENTS ? `${figure} ${unit}` : figure;
     const y = top + BAR_HEIGHT + LINE_HEIGHT - 0.8;
     items.push({
       kind: 'text',

@@ -1,6 +1,6 @@
 /**
  * `npm run bench [-- NAME…]`: every stage by size, readers in MB/s, the paper's slice, outlines beside their peers, memory,
- * the page and cancelling; with the name `big` also 100 M points, with `linear` the whole
+ * the page and cancelling, every export of a large plan; with the name `big` also 100 M points, with `linear` the whole
  * chain's growth to 50 M. As tables and as JSON in .cache/bench/results.json. Machines are noisy: compare figures of one run.
  */
 import { mkdir, writeFile } from 'node:fs/promises';
@@ -8,6 +8,7 @@ import { join } from 'node:path';
 import { benchBig } from './big.ts';
 import { benchCancel } from './cancel.ts';
 import { cacheFolder } from './clouds.ts';
+import { benchExports } from './exports.ts';
 import { benchHull } from './hull.ts';
 import { benchLinear } from './linear.ts';
 import { benchMemory } from './memory.ts';
@@ -25,6 +26,7 @@ const benches: Record<string, () => Promise<readonly Figure[]>> = {
   memory: benchMemory,
   page: benchPage,
   cancel: benchCancel,
+  exports: benchExports,
 };
 
 /** Minutes long and gigabytes large: only by name. */

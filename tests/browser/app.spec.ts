@@ -21,6 +21,14 @@ const CONTENT: Readonly<Record<string, RegExp>> = {
   frame: /"metresPerUnit"|"origin"/,
   slice: /^x,y\r?\n/,
   rooms: /^name,/,
+  'rooms-xlsx': /^PK/,
+  pdf: /^%PDF-1\.7[\s\S]*%%EOF\s*$/,
+  png: /^\x89PNG/,
+  ifc: /^ISO-10303-21;[\s\S]*END-ISO-10303-21;\s*$/,
+  stl: /^mm, z up/,
+  ply: /^ply\n/,
+  obj: /^PK/,
+  zip: /^PK/,
 };
 
 test('a sample loads by itself: plan, model and facts are shown', async ({ page }) => {
@@ -59,7 +67,9 @@ test('a dropped file becomes a plan, and every export is one click', async ({ pa
     .evaluateAll((all) => all.map((b) => (b as HTMLElement).dataset.testid!));
   const formats = ids.map((id) => id.replace('export-', ''));
   for (const format of Object.keys(CONTENT)) expect(formats).toContain(format);
-  for (const format of formats) {
+  // A table of points names no coordinate system.
+  await expect(page.getByTestId('export-geojson-wgs84')).toBeDisabled();
+  for (const format of formats.filter((name) => name !== 'geojson-wgs84')) {
     const bytes = await download(page, format);
     expect(bytes.length, format).toBeGreaterThan(10);
     const expected = CONTENT[format];
@@ -229,7 +239,7 @@ test('a changed parameter runs again from its stage only, and can be undone', as
   const thickness = page.getByRole('textbox', { name: 'Wall thickness' });
   await thickness.fill('50 cm');
   await thickness.press('Enter');
-  await expect.poll(() => stagesRun(page)).toEqual(['plan', 'solid']);
+  await expect.poll(() => stagesRun(page)).toEqual(['plan', 'solid', 'sheet']);
   await expect(thickness).toHaveValue('0.5');
   await expect.poll(drawing).not.toBe(before);
   const changed = await drawing();

@@ -47,7 +47,7 @@ async function run(bytes: BlobPart, name: string, options: Partial<Options>): Pr
 
 async function expectGolden(session: Session, name: string): Promise<void> {
   for (const format of TEXTS) {
-    const [file] = session.write(format);
+    const [file] = await session.write(format);
     await expect(file.content as string).toMatchFileSnapshot(`${name}/${file.name}`);
   }
 }
@@ -76,7 +76,7 @@ describe('scans', () => {
   it.each(Object.entries(measured))("%s: the default's footprint gets no worse", async (name, spec) => {
     const { positions, truth } = simulate(spec);
     const session = await run(writePly({ positions }, { type: 'double' }), `${name}.ply`, {});
-    const [{ content }] = session.write('geojson');
+    const [{ content }] = await session.write('geojson');
     const iou = measurePlan(JSON.parse(content as string), truth).footprintIou!;
     expect(iou, 'lower a score only with a reason').toBeGreaterThanOrEqual(best[name]);
   });

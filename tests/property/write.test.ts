@@ -2,7 +2,8 @@ import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import type { Frame, Ring, Unit } from '../../src/core/types.ts';
 import { decimal } from '../../src/write/decimals.ts';
-import { writeDxf } from '../../src/write/dxf.ts';
+import { drawSheets } from '../../src/write/draw-sheet.ts';
+import { writeDxf } from '../../src/write/dxf/dxf.ts';
 import { writeFiles } from '../../src/write/formats.ts';
 import { writeGeoJson } from '../../src/write/geojson.ts';
 import { parsePlanJson, writePlanJson } from '../../src/write/plan-json.ts';
@@ -58,7 +59,9 @@ function productOf(inner: Ring, facts: Partial<Frame>, name = 'scan'): Product {
       },
     ],
   });
-  return { name, plan, slice: { xy: inner, band: [1, 2], spacing: 0.02 }, solid: SOLID };
+  const slice = { xy: inner, band: [1, 2], spacing: 0.02 } as const;
+  const drawn = { name, plan, slice, options: plan.options };
+  return { ...drawn, solid: SOLID, sheet: drawSheets(drawn) };
 }
 
 /** Largest distance in metres between a ring and positions in source coordinates. */
@@ -77,9 +80,9 @@ function deviation(inner: Ring, positions: readonly (readonly number[])[], { pla
 /** Rounding to 0.1 mm in both axes, and what float64 leaves of a coordinate ten thousand kilometres away. */
 const TENTH = 1e-4 * Math.SQRT1_2 + 1e-7;
 
-test('GeoJSON, slice and DXF give every vertex to a tenth of a millimetre, anywhere and in any unit', () => {
-  fc.assert(
-    fc.property(outline, frame, (inner, facts) => {
+test('GeoJSON, slice and DXF give every vertex to a tenth of a millimetre, anywhere and in any unit', async () => {
+  await fc.assert(
+    fc.asyncProperty(outline, frame, async (inner, facts) => {
       const product = productOf(inner, facts);
       const count = inner.length / 2;
       const { features } = JSON.parse(writeGeoJson(product)) as {
@@ -89,7 +92,7 @@ test('GeoJSON, slice and DXF give every vertex to a tenth of a millimetre, anywh
       expect(ring).toHaveLength(count + 1);
       expect(deviation(inner, ring.slice(0, count), product)).toBeLessThan(TENTH);
 
-      const rows = (writeFiles(product, 'slice')[0].content as string).trim().split('\n').slice(1);
+      const rows = ((await writeFiles(product, 'slice'))[0].content as string).trim().split('\n').slice(1);
       expect(
         deviation(
           inner,

@@ -73,9 +73,9 @@ async function measureCase(slice: VariedSlice): Promise<SecondaryCase> {
     found.boundaries.length === 0 ? 0 : intersectionOverUnion(regionInPixels(found, session), wanted);
   return {
     slice,
-    robust: iou(robust.secondary, truth),
-    paper: iou(paper.secondary, truth),
-    paperInner: iou(paper.secondary, innerFace),
+    robust: iou(robust.secondary!, truth),
+    paper: iou(paper.secondary!, truth),
+    paperInner: iou(paper.secondary!, innerFace),
   };
 }
 

@@ -98,6 +98,27 @@ export function boundsOf(xy: ArrayLike<number>): Bounds {
   return { minX, minY, maxX, maxY };
 }
 
+/** Whether two boxes share a place, if only on their edges. */
+export function boundsMeet(a: Bounds, b: Bounds): boolean {
+  return a.minX <= b.maxX && b.minX <= a.maxX && a.minY <= b.maxY && b.minY <= a.maxY;
+}
+
+/** A polygon with the box around it, to be told from those far away at once. */
+export interface BoundedArea {
+  readonly area: Polygon;
+  readonly bounds: Bounds;
+}
+
+export function inBounds(area: Polygon): BoundedArea {
+  return { area, bounds: boundsOf(area.outer) };
+}
+
+/** Those whose boxes meet a polygon's. */
+export function near(areas: readonly BoundedArea[], { outer }: Polygon): Polygon[] {
+  const box = boundsOf(outer);
+  return areas.filter(({ bounds }) => boundsMeet(bounds, box)).map(({ area }) => area);
+}
+
 /** The box around several runs of x, y pairs. */
 export function boundsOfAll(parts: readonly ArrayLike<number>[]): Bounds {
   const boxes = parts.map(boundsOf);

@@ -1,11 +1,6 @@
-import {
-  type DisplayUnit,
-  formatArea,
-  formatCount,
-  formatDuration,
-  formatLength,
-} from '../../view/measure.ts';
+import { formatCount, formatDuration, formatLength } from '../../view/measure.ts';
 import type { ComparedPlan, Comparison } from '../../worker/protocol.ts';
+import { type DisplayUnit, formatArea } from '../../write/measure-words.ts';
 import { clusterColour } from '../../write/pictures/palette.ts';
 import { make, setText } from '../make.ts';
 

@@ -27,7 +27,7 @@ const FINE_VERTEX = 2.4;
 
 /** Fig. 4a, 5a: the points an outline is found from. */
 export function drawSlice({ slice }: Results): Drawing | null {
-  if (slice === undefined) return null;
+  if (slice === undefined || slice.xy.length === 0) return null;
   const view = topView(boundsOfAll([slice.xy]));
   const { band, spacing, xy } = slice;
   const height = band[0] < band[1] ? [`${band[0].toFixed(2)} to ${band[1].toFixed(2)} m`] : [];

@@ -39,7 +39,7 @@ describe('a good scan', () => {
     const { exitCode, stdout, stderr } = await grundriss(sample, '-o', out);
     expect(stderr).toBe('');
     expect(exitCode).toBe(0);
-    const contract = ['svg', 'minimal.svg', 'geojson', 'dxf', 'glb', 'json', 'frame.json'].map(
+    const contract = ['svg', 'pdf', 'minimal.svg', 'geojson', 'dxf', 'glb', 'json', 'frame.json'].map(
       (end) => `plan.${end}`,
     );
     expect((await readdir(out)).sort()).toEqual(
@@ -56,6 +56,21 @@ describe('a good scan', () => {
     // Its hall once opened to the outside through a wall that the scan hardly shows.
     expect(measurePlan(plan, truth).footprintIou).toBeGreaterThan(0.99);
     expect(report.levels.filter((level: { chosen: boolean }) => level.chosen)).toHaveLength(1);
+  });
+
+  it('is written again from its plan.json, but for its points', async () => {
+    const [first, again] = [join(folder, 'all'), join(folder, 'again')];
+    const { exitCode, stderr } = await grundriss(join(first, 'plan.json'), '-o', again);
+    expect([exitCode, stderr]).toEqual([0, '']);
+    const names = (await readdir(first)).filter((name) => name !== 'slice.csv');
+    expect((await readdir(again)).sort()).toEqual(names.sort());
+    for (const name of names.filter((other) => other !== 'report.json')) {
+      const [was, is] = await Promise.all([readFile(join(first, name)), readFile(join(again, name))]);
+      expect(is.equals(was), name).toBe(true);
+    }
+    const slice = await grundriss(join(first, 'plan.json'), '-o', again, '--formats', 'slice');
+    expect(slice.exitCode).toBe(4);
+    expect(slice.stderr).toMatch(/^grundriss: result\/cannot-write: slice\.csv: .*without its scan/);
   });
 
   it('is scaled by --metres-per-unit and cut to --crop, in its own coordinates', async () => {

@@ -58,9 +58,9 @@ describe('a plan of a scan scaled by hand', () => {
     const rows = Array.from({ length: source.length / 3 }, (_, i) => source.slice(3 * i, 3 * i + 3).join());
     const blob = new Blob([`x,y,z\n${rows.join('\n')}\n`]);
     const { plan } = await session.load(blobSource(blob, 'photos.csv'), { metresPerUnit: SCALE });
-    const text = (format: string) => String(session.write(format)[0].content);
+    const text = async (format: string) => String((await session.write(format))[0].content);
 
-    const geojson = JSON.parse(text('geojson'));
+    const geojson = JSON.parse(await text('geojson'));
     expect(geojson.frame).toEqual({ unit: 'custom', metresPerUnit: SCALE });
     const [primary] = geojson.features;
     // The L of 7 × 5 m less 3 × 2 m.
@@ -70,8 +70,8 @@ describe('a plan of a scan scaled by hand', () => {
     expect(Math.min(...xs)).toBeCloseTo(1000, 0);
     expect(Math.max(...xs)).toBeCloseTo(1000 + 7 / SCALE, 0);
 
-    expect(text('dxf')).toMatch(/\$INSUNITS\s+70\s+0\s/);
-    expect(JSON.parse(text('frame'))).toMatchObject({ unit: 'custom', metresPerUnit: SCALE });
+    expect(await text('dxf')).toMatch(/\$INSUNITS\s+70\s+0\s/);
+    expect(JSON.parse(await text('frame'))).toMatchObject({ unit: 'custom', metresPerUnit: SCALE });
     expect(plan.frame.unit).toBe('custom');
     expect(session.result!.stages.find(({ name }) => name === 'frame')!.outcome).toBe(
       'z up, 1 unit = 0.37 m',

@@ -31,7 +31,7 @@ test('another run leaves plan, evidence and cache as they are, and shares the st
 
 test('two methods differ as their outlines do', async () => {
   const other = await session.compare({ boundary: 'convex' });
-  const own = session.result!.regularise.polygons;
+  const own = session.result!.regularise!.polygons;
   const { iou, areaM2 } = comparePolygons(own, other.regularise.polygons);
   expect(iou).toBeGreaterThan(0.95);
   expect(areaM2[1]).toBeGreaterThan(areaM2[0]);

@@ -51,8 +51,11 @@ function scanAt(place: Place): Float64Array {
 async function filesOf(source: ByteSource, given: GivenValues = {}) {
   const session = new Session({ strokeTest: createStrokeTest() });
   const result = await session.load(source, { ...given, ...CORNERS_KEPT });
-  const text = (format: string) => session.write(format)[0].content as string;
-  return { result, text, glb: session.write('glb')[0].content as Uint8Array<ArrayBuffer> };
+  const formats = ['geojson', 'dxf', 'svg', 'minimal-svg', 'slice', 'json', 'frame', 'glb'];
+  const files = new Map<string, string | Uint8Array<ArrayBuffer>>();
+  for (const format of formats) files.set(format, (await session.write(format))[0].content);
+  const text = (format: string) => files.get(format) as string;
+  return { result, text, glb: files.get('glb') as Uint8Array<ArrayBuffer> };
 }
 
 /** The outline's corners as each file has them: source units and coordinates, seen from above. */
@@ -67,7 +70,7 @@ const CORNERS: Readonly<Record<string, (text: (format: string) => string) => Pai
   dxf: (text) => {
     const lines = text('dxf').split('\n');
     const entity = lines.findIndex(
-      (line, i) => line === 'A-OUTLINE' && lines[i - 1].trim() === '8' && lines[i + 2] === 'AcDbPolyline',
+      (line, i) => line === 'A-FLOR-OTLN' && lines[i - 1].trim() === '8' && lines[i + 2] === 'AcDbPolyline',
     );
     const places: Pair[] = [];
     for (let i = entity + 3; lines[i].trim() !== '0'; i += 2) {
@@ -271,8 +274,8 @@ function readGlb(glb: Uint8Array<ArrayBuffer>) {
   const gltf = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + jsonBytes)));
   const places: number[][] = [];
   for (const { primitives } of gltf.meshes) {
-    const { bufferView, count } = gltf.accessors[primitives[0].attributes.POSITION];
-    const at = 28 + jsonBytes + gltf.bufferViews[bufferView].byteOffset;
+    const { bufferView, byteOffset, count } = gltf.accessors[primitives[0].attributes.POSITION];
+    const at = 28 + jsonBytes + gltf.bufferViews[bufferView].byteOffset + byteOffset;
     for (let i = 0; i < count; i++)
       places.push([0, 4, 8].map((axis) => view.getFloat32(at + 12 * i + axis, true)));
   }

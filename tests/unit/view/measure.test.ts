@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
 import {
-  formatArea,
   formatBand,
   formatCount,
   formatDensity,
@@ -10,6 +9,7 @@ import {
   roundLengths,
   toMetres,
 } from '../../../src/view/measure.ts';
+import { formatArea, formatDimension } from '../../../src/write/measure-words.ts';
 
 describe('formatLength', () => {
   it.each([
@@ -64,4 +64,15 @@ describe('roundLengths', () => {
     expect([...lengths].sort((a, b) => a - b)).toEqual([...lengths]);
     for (const length of lengths) expect(formatLength(length, unit)).toMatch(/^\d+(\.\d+)?( m|′|″)$/);
   });
+});
+
+it.each([
+  [4.2, '4.20', `13'-9 3/8"`],
+  [0.3048, '0.30', `1'-0"`],
+  [0.0254, '0.03', '1"'],
+  [0.009525, '0.01', '3/8"'],
+  [3.047, '3.05', `10'-0"`],
+  [0, '0.00', '0"'],
+])('%s m stands at a dimension line as %s or %s', (metres, metric, imperial) => {
+  expect([formatDimension(metres, 'm'), formatDimension(metres, 'ft')]).toEqual([metric, imperial]);
 });

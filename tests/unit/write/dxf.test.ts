@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
-import { writeDxf } from '../../../src/write/dxf.ts';
+import { writeDxf } from '../../../src/write/dxf/dxf.ts';
 import { type PlanFacts, rectangle } from '../solid/plans.ts';
+import { twoRooms } from './dxf-plans.ts';
 import { home, productOf } from './products.ts';
 
 /** Group codes and values, read by the rules of the format and nothing of our writer. */
@@ -64,18 +65,27 @@ test('the sections of an AutoCAD 2000 file, in order', async () => {
   expect(tags.at(-1)).toEqual([0, 'EOF']);
 });
 
-test('rings are closed polylines on the layer of their kind, gaps open lines', async () => {
+test('rings are closed polylines on the layer of their kind', async () => {
   const polylines = polylinesOf(await written(home()));
   expect(polylines.map(({ layer, isClosed }) => [layer, isClosed])).toEqual([
-    ['A-OUTLINE', true],
+    ['A-FLOR-OTLN', true],
+    // The wall is a ring no more where the gap is.
     ['A-WALL', true],
-    ['A-WALL', true],
+    ['A-WALL-HIDD', true],
     ['A-COLS', true],
     ['A-COLS', true],
     ['A-COLS', true],
-    ['A-GAP', false],
   ]);
   for (const { announced, places } of polylines) expect(places).toHaveLength(announced);
+});
+
+test('a gap that no wall stands along is a line', async () => {
+  const storey = { walls: [], gaps: [{ from: [1, 0], to: [2, 0], width: 1 } as const] };
+  const entities = sectionOf(await written({ storeys: [storey] }), 'ENTITIES');
+  const line = entities.findIndex(([code, value]) => code === 0 && value === 'LINE');
+  expect(entities.slice(line).find(([code]) => code === 8)).toEqual([8, 'A-WALL-HIDD']);
+  const coordinates = entities.slice(line).filter(([code]) => [10, 20, 11, 21].includes(code));
+  expect(coordinates.slice(0, 4).map(([, value]) => Number(value))).toEqual([1, 0, 2, 0]);
 });
 
 test('every layer used is in the table', async () => {
@@ -96,7 +106,9 @@ test("coordinates are the scan's own, in its unit", async () => {
   const tags = await written({ frame });
   const [outline] = polylinesOf(tags);
   expect(outline.places[2]).toEqual([691_004_123.4, 5_334_003_456.7]);
-  expect(header(tags, '$EXTMIN')).toBe('690999923.4');
+  // Two chains of dimensions are left of the walls, and text on the outer one.
+  expect(Number(header(tags, '$EXTMIN'))).toBeLessThan(690_999_923.4 - 1000);
+  expect(Number(header(tags, '$EXTMIN'))).toBeGreaterThan(690_999_923.4 - 3000);
 });
 
 test.each([
@@ -129,24 +141,31 @@ test('hostile names stay one line of ASCII', async () => {
   const name = 'Küche\n  0\nSECTION\n^J𝄞';
   const rooms = [{ name, outline: { outer: rectangle(0, 0, 4, 3), holes: [] }, height: 2.5, confidence: 1 }];
   const text = writeDxf(await productOf({ storeys: [{ rooms }] }), 0);
-  expect(text).toContain('\nK\\U+00FCche   0 SECTION ^ J\\U+D834\\U+DD1E\n');
+  expect(text).toContain('\nK\\U+00FCche   0 SECTION ^ J\\U+D834\\U+DD1E\\P12.00 m2\n');
   // biome-ignore lint/suspicious/noControlCharactersInRegex: the point of the test
   expect(text).toMatch(/^[\x0a\x20-\x7e]*$/);
   expect(tagsOf(text).filter(([code, value]) => code === 0 && value === 'SECTION')).toHaveLength(6);
 });
 
-test('openings are open lines from jamb to jamb on a layer of their own', async () => {
-  const openings = [
-    { type: 'door', from: [1, -0.1], to: [1.9, -0.1], sill: 0, head: 2, confidence: 1 } as const,
-  ];
-  const lines = polylinesOf(await written({ storeys: [{ openings }] }));
-  expect(lines.filter(({ layer }) => layer === 'A-OPENING')).toMatchObject([
-    {
-      isClosed: false,
-      places: [
-        [1, -0.1],
-        [1.9, -0.1],
-      ],
-    },
-  ]);
+test('the extent holds all that is drawn', async () => {
+  const tags = await written({ storeys: [twoRooms(0.3)] });
+  const at = (name: string) => {
+    const i = tags.findIndex(([code, value]) => code === 9 && value === name);
+    return [Number(tags[i + 1][1]), Number(tags[i + 2][1])];
+  };
+  const [min, max] = [at('$EXTMIN'), at('$EXTMAX')];
+  const blocks = sectionOf(tags, 'BLOCKS');
+  const ofDimensions = blocks.slice(
+    blocks.findIndex(([code, value]) => code === 2 && value.startsWith('*D')),
+  );
+  let count = 0;
+  for (const [code, value] of [...sectionOf(tags, 'ENTITIES'), ...ofDimensions]) {
+    const axis = [10, 11, 13, 14].includes(code) ? 0 : [20, 21, 23, 24].includes(code) ? 1 : -1;
+    // Hatches and blocks have their own zero.
+    if (axis < 0 || Number(value) === 0) continue;
+    count++;
+    expect(Number(value)).toBeGreaterThanOrEqual(min[axis]);
+    expect(Number(value)).toBeLessThanOrEqual(max[axis]);
+  }
+  expect(count).toBeGreaterThan(100);
 });

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import type { Storey } from '../../../src/core/types.ts';
 import { drawSheet } from '../../../src/write/draw-sheet.ts';
-import { writeDxf } from '../../../src/write/dxf.ts';
+import { writeDxf } from '../../../src/write/dxf/dxf.ts';
 import { writeGeoJson } from '../../../src/write/geojson.ts';
 import { parsePlanJson, writePlanJson } from '../../../src/write/plan-json.ts';
 import { writeSvg } from '../../../src/write/svg.ts';

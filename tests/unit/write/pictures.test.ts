@@ -252,18 +252,18 @@ function roomWithGap(): string {
   return `${rows.join('\n')}\n`;
 }
 
-test("a file's name and what it holds never get in", () => {
-  for (const { content } of home.write('pictures')) expect(content).not.toMatch(/&lt;|&amp;|home/);
+test("a file's name and what it holds never get in", async () => {
+  for (const { content } of await home.write('pictures')) expect(content).not.toMatch(/&lt;|&amp;|home/);
 });
 
-test('the time is told of a run in the session, never in the exported files', () => {
+test('the time is told of a run in the session, never in the exported files', async () => {
   expect(captionOf(hallway.picture('hull')!)).toMatch(/ · Outline [\d.]+ ms$/);
-  for (const { content } of hallway.write('pictures'))
+  for (const { content } of await hallway.write('pictures'))
     expect(captionOf(content as string)).not.toMatch(/ ms$/);
 });
 
-test('exported pictures are numbered as in the table', () => {
-  const names = hallway.write('pictures').map(({ name }) => name);
+test('exported pictures are numbered as in the table', async () => {
+  const names = (await hallway.write('pictures')).map(({ name }) => name);
   expect(names.slice(0, 3)).toEqual(['picture-01-cloud.svg', 'picture-03-slice.svg', 'picture-04-hull.svg']);
 });
 

@@ -1,5 +1,6 @@
 import type { Slice } from '../../../src/core/types.ts';
 import { makeSolid } from '../../../src/solid/make-solid.ts';
+import { drawSheets } from '../../../src/write/draw-sheet.ts';
 import type { Product } from '../../../src/write/plan-writer.ts';
 import { type PlanFacts, planOf, rectangle, ring, secondary, wallAround } from '../solid/plans.ts';
 
@@ -10,7 +11,8 @@ export async function productOf(facts: PlanFacts = {}, name = 'room'): Promise<P
   const solid = await makeSolid(plan, plan.options);
   const xy = plan.storeys.flatMap(({ primary }) => [...primary[0].outer]);
   const slice: Slice = { xy: Float64Array.from(xy), band: [1, 2], spacing: 0.02 };
-  return { name, plan, slice, solid };
+  const drawn = { name, plan, slice, options: plan.options };
+  return { ...drawn, solid, sheet: drawSheets(drawn) };
 }
 
 /** An L-shaped home of 12 m × 9 m with a column, a shaft and one gap in its wall. */

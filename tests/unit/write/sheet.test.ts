@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest';
+import { inverse, type LayerName, mapped, type Sheet, type SheetItem } from '../../../src/core/sheet.ts';
 import type { Ring } from '../../../src/core/types.ts';
 import { drawSheet } from '../../../src/write/draw-sheet.ts';
 import { frameFacts } from '../../../src/write/frame-json.ts';
-import { inverse, type LayerName, mapped, type Sheet, type SheetItem } from '../../../src/write/sheet.ts';
 import { disc, planOf, rectangle, ring, wallAround } from '../solid/plans.ts';
 import { home, productOf } from './products.ts';
 
@@ -139,7 +139,10 @@ test('the legend names what is drawn and nothing else', async () => {
 test('points are drawn when asked for', async () => {
   const product = await productOf();
   expect(layer(drawSheet(product, 0), 'points')).toEqual([]);
-  const [points] = layer(drawSheet(product, 0, { hasPoints: true }), 'points');
+  const [points] = layer(
+    drawSheet({ ...product, options: { ...product.options, drawPoints: true } }, 0),
+    'points',
+  );
   expect(points.kind === 'points' && points.xy.length).toBe(product.slice.xy.length);
 });
 

@@ -1,7 +1,7 @@
 import { areaOf, combine } from '../../geometry/areas.ts';
 import type { Circle } from '../../geometry/circle.ts';
 import { crossingWithCircle, withArcs } from '../../geometry/ring-arcs.ts';
-import { type Bounds, boundsOf, ringsOf } from '../../geometry/rings.ts';
+import { inBounds, near, ringsOf } from '../../geometry/rings.ts';
 import { lineIntersection } from '../../geometry/segments.ts';
 import { isSimpleRing } from '../../geometry/simplicity.ts';
 import type { Polygon, Ring } from '../../types.ts';
@@ -51,28 +51,14 @@ function keptApart(walls: readonly PlannedWall[], outlines: readonly Polygon[]):
   const longestFirst = [...walls].sort((a, b) => b.length - a.length || a.side - b.side);
   const kept = longestFirst.flatMap(({ side, ring, thickness, circles }) => {
     const wall: Polygon = { outer: ring, holes: [] };
-    const { bounds } = inBounds(wall);
-    const near = taken.filter((other) => boundsMeet(other.bounds, bounds)).map(({ area }) => area);
-    const isClear = isSimpleRing(ring) && areaOf(combine('intersection', [wall], near)) < LEAST_OVERLAP;
-    const parts = isClear ? [wall] : validParts(combine('difference', [wall], near));
+    const others = near(taken, wall);
+    const isClear = isSimpleRing(ring) && areaOf(combine('intersection', [wall], others)) < LEAST_OVERLAP;
+    const parts = isClear ? [wall] : validParts(combine('difference', [wall], others));
     const standing = parts.filter((part) => areaOf([part]) >= DEBRIS);
     taken.push(...standing.map(inBounds));
     return standing.map((outline): OuterWall => ({ side, outline: withArcs(outline, circles), thickness }));
   });
   return kept.sort((a, b) => a.side - b.side);
-}
-
-interface BoundedArea {
-  readonly area: Polygon;
-  readonly bounds: Bounds;
-}
-
-function inBounds(area: Polygon): BoundedArea {
-  return { area, bounds: boundsOf(area.outer) };
-}
-
-function boundsMeet(a: Bounds, b: Bounds): boolean {
-  return a.minX <= b.maxX && b.minX <= a.maxX && a.minY <= b.maxY && b.minY <= a.maxY;
 }
 
 /** The wall of a side before it is known what stands there already. */

@@ -22,7 +22,7 @@ async function measured(spec: SceneSpec) {
   const { positions, truth } = simulate({ ...spec, scan: { ...SCAN, ...spec.scan } });
   const session = new Session({ strokeTest: createStrokeTest() });
   const { plan } = await session.load(blobSource(new Blob([writePly({ positions })]), `${spec.name}.ply`));
-  const [{ content }] = session.write('geojson');
+  const [{ content }] = await session.write('geojson');
   const file = JSON.parse(typeof content === 'string' ? content : new TextDecoder().decode(content));
   return { plan, measures: measurePlan(file, truth) };
 }

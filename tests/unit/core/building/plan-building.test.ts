@@ -30,7 +30,7 @@ async function make(spec: SceneSpec): Promise<Made> {
   const { positions, truth } = simulate({ ...spec, scan: { ...SCAN, ...spec.scan } });
   const session = new Session({ strokeTest: createStrokeTest() });
   const result = await session.load(blobSource(new Blob([writePly({ positions })]), `${spec.name}.ply`));
-  const [{ content }] = session.write('geojson');
+  const [{ content }] = await session.write('geojson');
   const file = JSON.parse(typeof content === 'string' ? content : new TextDecoder().decode(content));
   return { plan: result.plan, solid: result.solid, measures: measurePlan(file, truth) };
 }

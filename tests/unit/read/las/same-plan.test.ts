@@ -14,9 +14,8 @@ const OFFSET = [691_000, 5_334_000, 500];
 async function planOf(source: ByteSource): Promise<string[]> {
   const session = new Session({ strokeTest: createStrokeTest() });
   await session.load(source);
-  return ['geojson', 'slice', 'dxf'].flatMap((format) =>
-    session.write(format).map(({ content }) => (typeof content === 'string' ? content : content.join())),
-  );
+  const files = await Promise.all(['geojson', 'slice', 'dxf'].map((format) => session.write(format)));
+  return files.flat().map(({ content }) => (typeof content === 'string' ? content : content.join()));
 }
 
 it('one cloud as LAZ, LAS and PLY, in any order, has one plan', async () => {

@@ -1,4 +1,4 @@
-import type { RingArc } from '../core/types.ts';
+import type { RingArc } from './types.ts';
 
 /** A numeric plane map in the order of SVG's matrix(): x' = a·x + c·y + e, y' = b·x + d·y + f. */
 export type Affine = readonly [a: number, b: number, c: number, d: number, e: number, f: number];
