@@ -29,15 +29,15 @@ export { READ_FORMATS } from './read/formats.ts';
 export { makeReport, type Report } from './session/report.ts';
 export { isOfScan, type RunResult, type ScanResult } from './session/result.ts';
 export { Session, type SessionControl } from './session/session.ts';
-export { comparePolygons, type PolygonComparison } from './write/compare-polygons.ts';
-export { type ComparedRun, type ComparisonLook, drawComparison } from './write/comparison.ts';
+export { parsePlanJson, writePlanJson } from './write/data/plan-json.ts';
 export { WRITE_FORMATS } from './write/formats.ts';
+export { comparePolygons, type PolygonComparison } from './write/pictures/compare-polygons.ts';
+export { type ComparedRun, type ComparisonLook, drawComparison } from './write/pictures/comparison.ts';
 export {
   drawPicture,
   PICTURE_NAMES,
   PICTURES,
   type PictureFacts,
   type PictureName,
-} from './write/pictures.ts';
-export { parsePlanJson, writePlanJson } from './write/plan-json.ts';
+} from './write/pictures/pictures.ts';
 export type { WrittenFile } from './write/plan-writer.ts';

@@ -5,8 +5,8 @@ import type { ParamRow } from '../src/core/param-rows.ts';
 import { kebabCase, PARAM_NAMES, PARAMS } from '../src/core/params.ts';
 import { STAGES } from '../src/core/stages.ts';
 import { ARCHIVES, READ_FORMATS } from '../src/read/formats.ts';
+import { writePlanSchema } from '../src/write/data/plan-schema.ts';
 import { WRITE_FORMATS } from '../src/write/formats.ts';
-import { writePlanSchema } from '../src/write/plan-schema.ts';
 import { readText } from './reproduction/folder.ts';
 import { OUTLINE_METHODS } from './reproduction/outlines.ts';
 import { PAPER_SETS } from './reproduction/paper-sets.ts';
@@ -14,7 +14,7 @@ import type { Results } from './reproduction/results.ts';
 
 export const readmePath = new URL('../README.md', import.meta.url);
 /** Of plan.json, from its shape and the parameters; goes with the package. */
-export const schemaPath = new URL('../src/write/plan.schema.json', import.meta.url);
+export const schemaPath = new URL('../src/write/data/plan.schema.json', import.meta.url);
 
 const tables: Record<string, () => string> = {
   'read formats': () =>

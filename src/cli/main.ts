@@ -7,7 +7,7 @@ import type { ByteSource } from '../read/bytes/source.ts';
 import { urlSource } from '../read/bytes/url-source.ts';
 import { makeReport, type Report } from '../session/report.ts';
 import { baseName, Session } from '../session/session.ts';
-import { writePictures } from '../write/pictures.ts';
+import { writePictures } from '../write/pictures/pictures.ts';
 import type { WrittenFile } from '../write/plan-writer.ts';
 import { type Command, parseArguments } from './arguments.ts';
 import { createStrokeTest } from './canvas-stroke.ts';

@@ -1,5 +1,5 @@
 import { createRequire } from 'node:module';
-import type { RasterCanvas } from '../write/raster.ts';
+import type { RasterCanvas } from '../write/drawing/raster.ts';
 
 /** @napi-rs/canvas, which is optional; null where it does not load. */
 export function loadCanvas(): typeof import('@napi-rs/canvas') | null {

@@ -1,7 +1,7 @@
 import type { LevelChoice } from '../core/param-rows.ts';
 import type { Level } from '../core/types.ts';
 import { formatBand, formatCount, formatDensity, fromMetres, toMetres } from '../view/measure.ts';
-import type { DisplayUnit } from '../write/measure-words.ts';
+import type { DisplayUnit } from '../write/sheet/measure-words.ts';
 import { icon } from './icon.ts';
 import { make, setAttribute, setText } from './make.ts';
 import type { Actions, Panel } from './model.ts';

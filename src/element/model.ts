@@ -9,7 +9,7 @@ import type {
   PictureOf,
   PlanView,
 } from '../worker/protocol.ts';
-import type { DisplayUnit } from '../write/measure-words.ts';
+import type { DisplayUnit } from '../write/sheet/measure-words.ts';
 import type { Layout, PlanState } from './contract.ts';
 import type { FailedRun } from './plan-maker.ts';
 import type { Stretch } from './stretch.ts';

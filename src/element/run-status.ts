@@ -1,7 +1,7 @@
 import { countOf } from '../core/count-words.ts';
 import { STAGES } from '../core/stages.ts';
 import { formatCount, formatDuration } from '../view/measure.ts';
-import { formatArea } from '../write/measure-words.ts';
+import { formatArea } from '../write/sheet/measure-words.ts';
 import { icon } from './icon.ts';
 import { make, setText } from './make.ts';
 import type { Actions, Model, Panel } from './model.ts';

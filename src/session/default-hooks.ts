@@ -2,7 +2,7 @@ import { canvasStrokeTest } from '../core/canvas-stroke.ts';
 import { FloorPlanError } from '../core/errors.ts';
 import type { PipelineHooks } from '../core/pipeline-run.ts';
 import { nextTurn } from '../read/next-turn.ts';
-import type { RasterCanvas, RasterContext, WriteTools } from '../write/raster.ts';
+import type { RasterCanvas, RasterContext, WriteTools } from '../write/drawing/raster.ts';
 
 /** The environment's own clock, event loop and canvas, in browser and worker; Node has no canvas of its own. */
 export const DEFAULT_HOOKS: PipelineHooks & WriteTools = {

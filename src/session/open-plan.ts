@@ -6,7 +6,7 @@ import type { FloorPlan, Warning } from '../core/types.ts';
 import { isArchive, openArchive } from '../read/archive/open-archive.ts';
 import type { ByteSource } from '../read/bytes/source.ts';
 import { HEAD_BYTES } from '../read/signatures.ts';
-import { parsePlanJson } from '../write/plan-json.ts';
+import { parsePlanJson } from '../write/data/plan-json.ts';
 
 /** Longer than any plan of a building, and shorter than any text may be, bytes. */
 const MOST_BYTES = 2 ** 28;

@@ -1,5 +1,5 @@
 import { readQuantity } from '../core/quantity.ts';
-import { type DisplayUnit, INCHES_PER_FOOT, METRES_PER_FOOT } from '../write/measure-words.ts';
+import { type DisplayUnit, INCHES_PER_FOOT, METRES_PER_FOOT } from '../write/sheet/measure-words.ts';
 
 /** A scan is worth centimetres; only a scale bar under the eye is finer than this. m */
 const FINE = 0.1;

@@ -1,4 +1,4 @@
-import type { DisplayUnit } from '../write/measure-words.ts';
+import type { DisplayUnit } from '../write/sheet/measure-words.ts';
 import { formatLength, roundLengths } from './measure.ts';
 
 /** The bar is the longest round length below this, px. */

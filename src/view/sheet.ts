@@ -1,6 +1,6 @@
 import { sayCoordinates, sayUnit } from '../core/source-coordinates.ts';
 import type { Frame, Slice, Vec2 } from '../core/types.ts';
-import type { DisplayUnit } from '../write/measure-words.ts';
+import type { DisplayUnit } from '../write/sheet/measure-words.ts';
 import { PanZoom } from './pan-zoom.ts';
 import { type Drawing, parseDrawing } from './parse-drawing.ts';
 import { PointLayer } from './point-layer.ts';

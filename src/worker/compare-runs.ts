@@ -2,8 +2,8 @@ import type { StageResults } from '../core/stage-results.ts';
 import type { StageName } from '../core/stages.ts';
 import type { Polygon } from '../core/types.ts';
 import type { ScanResult } from '../session/result.ts';
-import { comparePolygons } from '../write/compare-polygons.ts';
-import { drawComparison } from '../write/comparison.ts';
+import { comparePolygons } from '../write/pictures/compare-polygons.ts';
+import { drawComparison } from '../write/pictures/comparison.ts';
 import type { Comparison } from './protocol.ts';
 
 export interface ComparedRuns {

@@ -9,7 +9,7 @@ import {
   type PictureName,
   pictureFile,
   roundsOf,
-} from '../write/pictures.ts';
+} from '../write/pictures/pictures.ts';
 import type { PictureFacts } from './protocol.ts';
 
 type Results = Partial<StageResults>;

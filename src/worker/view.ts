@@ -7,7 +7,7 @@ import { planBox } from '../session/plan-bounds.ts';
 import { makeReport } from '../session/report.ts';
 import { isOfScan, type ScanResult } from '../session/result.ts';
 import { NO_SLICE, type Session } from '../session/session.ts';
-import { sheetToSvg } from '../write/svg.ts';
+import { sheetToSvg } from '../write/drawing/svg.ts';
 import type { CloudView, PictureFacts, PlanView, Surroundings } from './protocol.ts';
 
 /** More points than this no screen tells apart, and a software renderer still draws them in one frame. */

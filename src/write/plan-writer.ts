@@ -1,7 +1,7 @@
 import { FloorPlanError } from '../core/errors.ts';
 import type { Options } from '../core/params.ts';
 import type { StageResults } from '../core/stage-results.ts';
-import type { WriteTools } from './raster.ts';
+import type { WriteTools } from './drawing/raster.ts';
 
 /** All that writers may draw on: what one run's stages made; pictures alone need more. */
 export type Product = Partial<StageResults> &

@@ -1,6 +1,6 @@
 import { zipSync } from 'fflate';
 import { FloorPlanError } from '../core/errors.ts';
-import { oneLine } from './model-notes.ts';
+import { oneLine } from './model/model-notes.ts';
 import type { Product, WrittenFile } from './plan-writer.ts';
 
 /** A fixed date, the earliest that ZIP knows: equal plans give equal bytes. */

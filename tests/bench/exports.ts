@@ -1,8 +1,8 @@
 import { performance } from 'node:perf_hooks';
 import { makeSolid } from '../../src/solid/make-solid.ts';
-import { drawSheets } from '../../src/write/draw-sheet.ts';
 import { WRITE_FORMAT_NAMES, writeFiles } from '../../src/write/formats.ts';
 import type { Product, WrittenFile } from '../../src/write/plan-writer.ts';
+import { drawSheets } from '../../src/write/sheet/draw-sheet.ts';
 import { largePlan, sliceOf } from './large-plan.ts';
 import type { Figure } from './table.ts';
 

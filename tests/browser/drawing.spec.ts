@@ -4,7 +4,7 @@ import { areaOf } from '../../src/core/geometry/areas.ts';
 import type { Operation, Polygon, Solid, SolidGroup, Storey } from '../../src/core/types.ts';
 import { checkSolid } from '../../src/solid/check-solid.ts';
 import { wallSection } from '../../src/solid/sections.ts';
-import { writeMinimalSvg } from '../../src/write/minimal-svg.ts';
+import { writeMinimalSvg } from '../../src/write/drawing/minimal-svg.ts';
 import { disc, rectangle, reversed, secondary, wallAround } from '../unit/solid/plans.ts';
 import { productOf } from '../unit/write/products.ts';
 import type { Extruded } from './extrude-drawing.ts';

@@ -1,16 +1,16 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import type { Frame, Ring, Unit } from '../../src/core/types.ts';
+import { writeGeoJson } from '../../src/write/data/geojson.ts';
+import { parsePlanJson, writePlanJson } from '../../src/write/data/plan-json.ts';
 import { decimal } from '../../src/write/decimals.ts';
-import { drawSheets } from '../../src/write/draw-sheet.ts';
+import { writeSvg } from '../../src/write/drawing/svg.ts';
 import { writeDxf } from '../../src/write/dxf/dxf.ts';
 import { writeFiles } from '../../src/write/formats.ts';
-import { writeGeoJson } from '../../src/write/geojson.ts';
-import { parsePlanJson, writePlanJson } from '../../src/write/plan-json.ts';
 import type { Product } from '../../src/write/plan-writer.ts';
-import { writeSvg } from '../../src/write/svg.ts';
+import { drawSheets } from '../../src/write/sheet/draw-sheet.ts';
 import { disc, planOf, wallAround } from '../unit/solid/plans.ts';
-import { parseXml } from '../unit/write/strict-xml.ts';
+import { parseXml } from '../unit/write/drawing/strict-xml.ts';
 
 const SEED = 2019;
 const SOLID = { positions: new Float64Array(0), indices: new Uint32Array(0), groups: [] };

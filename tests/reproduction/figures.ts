@@ -1,6 +1,6 @@
 import type { Options } from '../../src/core/params.ts';
 import type { StageResults } from '../../src/core/stage-results.ts';
-import { drawPicture, type PictureName } from '../../src/write/pictures.ts';
+import { drawPicture, type PictureName } from '../../src/write/pictures/pictures.ts';
 import { ALPHA_EPSILON, PAPER_ALPHA, SQUARED_ALPHA } from './outlines.ts';
 import { drawPanel, drawRegularised } from './panel.ts';
 import { PAPER_SETS, type PaperSet, ROOMS, runSet } from './paper-sets.ts';

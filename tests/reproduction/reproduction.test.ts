@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { parseXml } from '../unit/write/strict-xml.ts';
+import { parseXml } from '../unit/write/drawing/strict-xml.ts';
 import { drawPanels, FIGURES } from './figures.ts';
 import { appPalette, pageFolder, readText } from './folder.ts';
 import { OUTLINE_METHODS } from './outlines.ts';

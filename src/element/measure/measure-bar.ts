@@ -1,5 +1,5 @@
 import { readLength } from '../../view/measure.ts';
-import type { DisplayUnit } from '../../write/measure-words.ts';
+import type { DisplayUnit } from '../../write/sheet/measure-words.ts';
 import { iconButton } from '../chips.ts';
 import { icon } from '../icon.ts';
 import { make, setAttribute, setText } from '../make.ts';

@@ -1,7 +1,7 @@
 import { formatCount, formatDuration, formatLength } from '../../view/measure.ts';
 import type { ComparedPlan, Comparison } from '../../worker/protocol.ts';
-import { type DisplayUnit, formatArea } from '../../write/measure-words.ts';
 import { clusterColour } from '../../write/pictures/palette.ts';
+import { type DisplayUnit, formatArea } from '../../write/sheet/measure-words.ts';
 import { make, setText } from '../make.ts';
 
 type Row = readonly [label: string, read: (plan: ComparedPlan, unit: DisplayUnit) => string];

@@ -1,7 +1,7 @@
 import type { Bounds } from '../../core/geometry/rings.ts';
 import type { Polygon, Vec2 } from '../../core/types.ts';
-import { type Dimensions, type Inside, planDimensions } from '../dimensions.ts';
-import { textWidth } from '../text-width.ts';
+import { type Dimensions, type Inside, planDimensions } from '../sheet/dimensions.ts';
+import { textWidth } from '../sheet/text-width.ts';
 import { type DxfDrawing, degrees, legible } from './dxf-drawing.ts';
 import { DIMENSION_STYLE, type DimensionStyle } from './dxf-tables.ts';
 import type { DxfTags } from './dxf-tags.ts';

@@ -1,8 +1,8 @@
 import { combine } from '../../core/geometry/areas.ts';
 import { polygonArea, ringsOf } from '../../core/geometry/rings.ts';
 import type { Frame, FrameUnit, Polygon, Ring, Vec2 } from '../../core/types.ts';
-import { labelPoint } from '../label-point.ts';
-import { shorten, textWidth } from '../text-width.ts';
+import { labelPoint } from '../sheet/label-point.ts';
+import { shorten, textWidth } from '../sheet/text-width.ts';
 import { type DxfText, legible } from './dxf-drawing.ts';
 
 /** Longest name in a label, letters' widths. */

@@ -1,4 +1,4 @@
-import { SHEET_FONT, type WriteTools } from '../raster.ts';
+import { SHEET_FONT, type WriteTools } from '../drawing/raster.ts';
 
 /** A text as a picture of one bit a pixel, most significant first, rows padded to bytes; sizes in mm. */
 export interface TextImage {

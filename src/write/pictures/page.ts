@@ -1,5 +1,5 @@
 import { greatestRound } from '../decimals.ts';
-import { shorten, textWidth } from '../text-width.ts';
+import { shorten, textWidth } from '../sheet/text-width.ts';
 import { escapeXml } from '../xml.ts';
 import { element, path, pixels, text } from './marks.ts';
 import { INK, MUTED, PAPER } from './palette.ts';

@@ -3,7 +3,7 @@ import { paperSlice } from '../../../fixtures/simulator/slices.ts';
 import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
 import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import { Session } from '../../../src/session/session.ts';
-import { comparePolygons } from '../../../src/write/compare-polygons.ts';
+import { comparePolygons } from '../../../src/write/pictures/compare-polygons.ts';
 
 let session: Session;
 beforeAll(async () => {

@@ -9,7 +9,7 @@ import { roomPoints } from '../core/made-scan.ts';
 import { cartesianFields, e57Bytes } from '../read/e57-bytes.ts';
 import { geoKeys, type LasContent, type LasPoint, lasBytes, wktRecord } from '../read/las/las-bytes.ts';
 import { memorySource } from '../read/memory-source.ts';
-import { parseXml } from '../write/strict-xml.ts';
+import { parseXml } from '../write/drawing/strict-xml.ts';
 
 /** What a written coordinate may be off by, m. */
 const WRITTEN = 1e-4;

@@ -9,7 +9,7 @@ import {
   roundLengths,
   toMetres,
 } from '../../../src/view/measure.ts';
-import { formatArea, formatDimension } from '../../../src/write/measure-words.ts';
+import { formatArea, formatDimension } from '../../../src/write/sheet/measure-words.ts';
 
 describe('formatLength', () => {
   it.each([

@@ -4,7 +4,7 @@ import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
 import { blobSource } from '../../../src/read/bytes/blob-source.ts';
 import { Session } from '../../../src/session/session.ts';
 import { listPictures, PictureDesk } from '../../../src/worker/picture-desk.ts';
-import { parseXml } from '../write/strict-xml.ts';
+import { parseXml } from '../write/drawing/strict-xml.ts';
 
 const file = new URL('../../golden/room-2/slice.csv', import.meta.url);
 const session = new Session({ strokeTest: createStrokeTest() });

@@ -5,10 +5,10 @@ import { chordTurn, ON_ARC, SAGITTA, withArcs } from '../../../src/core/geometry
 import { ringsOf } from '../../../src/core/geometry/rings.ts';
 import { squaredDistanceToSegment } from '../../../src/core/geometry/segments.ts';
 import type { Polygon } from '../../../src/core/types.ts';
+import { writeGeoJson } from '../../../src/write/data/geojson.ts';
+import { parsePlanJson, writePlanJson } from '../../../src/write/data/plan-json.ts';
+import { writeSvg } from '../../../src/write/drawing/svg.ts';
 import { writeDxf } from '../../../src/write/dxf/dxf.ts';
-import { writeGeoJson } from '../../../src/write/geojson.ts';
-import { parsePlanJson, writePlanJson } from '../../../src/write/plan-json.ts';
-import { writeSvg } from '../../../src/write/svg.ts';
 import { disc, type PlanFacts, ring } from '../solid/plans.ts';
 import { productOf } from './products.ts';
 

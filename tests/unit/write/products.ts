@@ -1,7 +1,7 @@
 import type { Slice } from '../../../src/core/types.ts';
 import { makeSolid } from '../../../src/solid/make-solid.ts';
-import { drawSheets } from '../../../src/write/draw-sheet.ts';
 import type { Product } from '../../../src/write/plan-writer.ts';
+import { drawSheets } from '../../../src/write/sheet/draw-sheet.ts';
 import { type PlanFacts, planOf, rectangle, ring, secondary, wallAround } from '../solid/plans.ts';
 
 /** Products made by hand, for the tests of writers. */

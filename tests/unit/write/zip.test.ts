@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { FloorPlanError } from '../../../src/core/errors.ts';
 import { WRITE_FORMATS, writeFiles } from '../../../src/write/formats.ts';
 import { writeZip, zipFiles } from '../../../src/write/zip.ts';
-import { HOSTILE_NAME } from './model-plans.ts';
+import { HOSTILE_NAME } from './model/model-plans.ts';
 import { home, productOf } from './products.ts';
 
 const row = (name: 'glb' | 'rooms' | 'geojson') => ({ ...WRITE_FORMATS[name], name });

@@ -1,0 +1,77 @@
+import fc from 'fast-check';
+import { expect, test } from 'vitest';
+import { boundsMeet, boundsOf } from '../../../../src/core/geometry/rings.ts';
+import { type Affine, mapped } from '../../../../src/core/sheet.ts';
+import { type PlacedLabel, placeLabels } from '../../../../src/write/sheet/room-labels.ts';
+import { planOf, rectangle } from '../../solid/plans.ts';
+
+/** 1:100, y down. */
+const TO_SHEET: Affine = [10, 0, 0, -10, 30, 200];
+
+function labelsOf(rooms: readonly { name: string; outer: Float64Array }[]): PlacedLabel[] {
+  const { storeys } = planOf({
+    storeys: [
+      {
+        rooms: rooms.map(({ name, outer }) => ({
+          ...{ name, outline: { outer, holes: [] }, height: 2.5, confidence: 1 },
+        })),
+      },
+    ],
+  });
+  const all = boundsOf(Float64Array.from(rooms.flatMap(({ outer }) => [...mapped(outer, TO_SHEET)])));
+  return placeLabels({ storey: storeys[0], planToSheet: TO_SHEET, unit: 'm', extent: all });
+}
+
+const isLedOut = ({ items }: PlacedLabel) => items.some(({ kind }) => kind === 'path');
+
+test('a label stands in its room: whole, small, turned, and led out where none of these fits', () => {
+  const sizes = [
+    [3, 3],
+    [1.2, 0.85],
+    [0.9, 2.4],
+    [0.5, 0.5],
+  ];
+  const labels = labelsOf(
+    sizes.map(([w, h], i) => ({ name: `Room ${i}`, outer: rectangle(4 * i, 0, w, h) })),
+  );
+  const looks = labels.map((label) => {
+    const [text] = label.items.filter((item) => item.kind === 'text');
+    return [text.size, text.isUpright ?? false, isLedOut(label)];
+  });
+  expect(looks).toEqual([
+    ['room', false, false],
+    ['label', false, false],
+    ['label', true, false],
+    ['label', false, true],
+  ]);
+});
+
+test('no label leaves its room but by a line, and none lies on another', () => {
+  const room = fc.record({
+    width: fc.double({ min: 0.2, max: 6, noNaN: true }),
+    depth: fc.double({ min: 0.2, max: 6, noNaN: true }),
+  });
+  fc.assert(
+    fc.property(fc.array(room, { minLength: 1, maxLength: 12 }), (sizes) => {
+      let x = 0;
+      const rooms = sizes.map(({ width, depth }, i) => {
+        const outer = rectangle(x, 0, width, depth);
+        x += width + 0.1;
+        return { name: `Room ${i + 1}`, outer };
+      });
+      const labels = labelsOf(rooms);
+      expect(labels).toHaveLength(rooms.length);
+      labels.forEach((label, i) => {
+        for (const other of labels.slice(i + 1)) expect(boundsMeet(label.box, other.box)).toBe(false);
+        if (isLedOut(label)) return;
+        const { minX, minY, maxX, maxY } = boundsOf(mapped(rooms[i].outer, TO_SHEET));
+        const { box } = label;
+        expect(box.minX >= minX && box.minY >= minY && box.maxX <= maxX && box.maxY <= maxY).toBe(true);
+      });
+    }),
+  );
+});
+
+test('a room without area has no label', () => {
+  expect(labelsOf([{ name: 'Nothing', outer: Float64Array.of(0, 0, 1, 0, 2, 0) }])).toEqual([]);
+});
