@@ -1,9 +1,12 @@
 import type { Bounds } from '../../core/geometry/rings.ts';
+import type { Options } from '../../core/params.ts';
 import type { Polygon, Vec2 } from '../../core/types.ts';
 import { type Dimensions, type Inside, planDimensions } from '../sheet/dimensions.ts';
+import { formatDimension } from '../sheet/measure-words.ts';
+import { roomChords } from '../sheet/room-dimensions.ts';
 import { textWidth } from '../sheet/text-width.ts';
-import { type DxfDrawing, degrees, legible } from './dxf-drawing.ts';
-import { DIMENSION_STYLE, type DimensionStyle } from './dxf-tables.ts';
+import { type DxfDrawing, type DxfText, degrees, legible } from './dxf-drawing.ts';
+import { DIMENSION_STYLE, type DimensionStyle, ROOM_DIMENSION_STYLE } from './dxf-tables.ts';
 import type { DxfTags } from './dxf-tags.ts';
 
 /** Distance of the first chain from the plan, and between chains, mm on paper. */
@@ -26,11 +29,15 @@ const SIDES = {
 >;
 
 export interface DimensionFacts {
+  readonly which: Options['dimensions'];
   /** What a storey covers, turned square; metres. */
   readonly covered: readonly Polygon[];
   readonly extent: Bounds;
   /** Rooms and openings, turned as well. */
   readonly inside: Inside;
+  /** Likewise. */
+  readonly structures: readonly Polygon[];
+  readonly labels: readonly DxfText[];
   /** The angle it was turned by, radians. */
   readonly turn: number;
   /** 100 for 1:100, which the texts are made for. */
@@ -45,43 +52,91 @@ interface Measured {
   /** Ends of the line. */
   readonly lineFrom: Vec2;
   readonly lineTo: Vec2;
-  /** Outwards. */
-  readonly out: Vec2;
+  /** Outwards; none where the line runs from face to face. */
+  readonly out: Vec2 | null;
   readonly angle: number;
 }
 
-/** Draws the chains around the plan as dimensions: their distances are measured by the CAD program. */
+/** Draws the chains around the plan and the sizes of its rooms: their distances are measured by the CAD program. */
 export function drawDxfDimensions(
   drawing: DxfDrawing,
   facts: DimensionFacts,
   nextHandle: () => string,
 ): void {
-  const { covered, extent, inside, turn, scale, style } = facts;
-  const { chains } = planDimensions(covered, extent, scale, inside);
-  const metresPerMm = scale / 1000;
+  const { which, scale, style } = facts;
+  const measured = [
+    ...(which === 'none' ? [] : measureChains(facts)),
+    ...(which === 'all' ? measureRooms(facts, drawing.metresPerUnit) : []),
+  ];
+  measured.forEach((each, i) => {
+    drawDimension(drawing, `*D${i + 1}`, { measured: each, style, metresPerMm: scale / 1000, nextHandle });
+  });
+}
+
+/** The way from the square plan. */
+function turnBack(turn: number): (x: number, y: number) => Vec2 {
   const [cos, sin] = [Math.cos(-turn), Math.sin(-turn)];
-  const back = (x: number, y: number): Vec2 => [cos * x - sin * y, sin * x + cos * y];
-  let count = 0;
-  for (const name of Object.keys(SIDES) as (keyof typeof SIDES)[]) {
+  return (x, y) => [cos * x - sin * y, sin * x + cos * y];
+}
+
+function measureChains({ covered, extent, inside, turn, scale }: DimensionFacts): Measured[] {
+  const { chains } = planDimensions(covered, extent, scale, inside);
+  const back = turnBack(turn);
+  return (Object.keys(SIDES) as (keyof typeof SIDES)[]).flatMap((name) => {
     const { isAcross, edge, away } = SIDES[name];
-    chains[name].forEach((places, k) => {
-      const at = (place: number, mm: number) => {
-        const aside = extent[edge] + away * mm * metresPerMm;
-        return isAcross ? back(place, aside) : back(aside, place);
-      };
+    const out = isAcross ? back(0, away) : back(away, 0);
+    const angle = legible((isAcross ? 0 : Math.PI / 2) - turn);
+    const at = (place: number, mm: number) => {
+      const aside = extent[edge] + (away * mm * scale) / 1000;
+      return isAcross ? back(place, aside) : back(aside, place);
+    };
+    return chains[name].flatMap((places, k) => {
       const line = FIRST_CHAIN + k * NEXT_CHAIN;
-      for (let i = 0; i + 1 < places.length; i++) {
-        count++;
-        const [from, to] = [at(places[i], 0), at(places[i + 1], 0)];
-        const [lineFrom, lineTo] = [at(places[i], line), at(places[i + 1], line)];
-        const out = isAcross ? back(0, away) : back(away, 0);
-        const angle = legible((isAcross ? 0 : Math.PI / 2) - turn);
-        drawDimension(drawing, `*D${count}`, {
-          ...{ measured: { from, to, lineFrom, lineTo, out, angle }, style, metresPerMm, nextHandle },
-        });
-      }
+      return places.slice(1).map((place, i): Measured => {
+        const [from, to] = [at(places[i], 0), at(place, 0)];
+        return { from, to, lineFrom: at(places[i], line), lineTo: at(place, line), out, angle };
+      });
     });
-  }
+  });
+}
+
+/** Inside rooms, clear of their labels. */
+function measureRooms(facts: DimensionFacts, metresPerUnit: number): Measured[] {
+  const { inside, structures, labels, turn, scale, style } = facts;
+  const back = turnBack(turn);
+  const toPlace = turnBack(-turn);
+  const perMetre = 1000 / scale;
+  const chords = roomChords({
+    rooms: inside.rooms.map(({ outline }) => outline),
+    structures,
+    // As on a sheet, y runs down.
+    planToSheet: [perMetre, 0, 0, -perMetre, 0, 0],
+    taken: labels.map(({ at, angle, half }) => {
+      const [x, y] = toPlace(...at);
+      const isTurned = Math.abs(Math.sin(angle + turn)) > Math.SQRT1_2;
+      const [reachX, reachY] = isTurned ? [half[1], half[0]] : half;
+      return {
+        ...{ minX: (x - reachX) * perMetre, maxX: (x + reachX) * perMetre },
+        ...{ minY: -(y + reachY) * perMetre, maxY: -(y - reachY) * perMetre },
+      };
+    }),
+    figure: (mm) => sayFigure(mm / perMetre, style, metresPerUnit),
+  });
+  return chords.map(({ along, place, from, to }): Measured => {
+    const at = (value: number) =>
+      along === 0 ? back(value / perMetre, -place / perMetre) : back(place / perMetre, -value / perMetre);
+    // Upright figures are read upwards.
+    const ends = along === 0 ? [at(from), at(to)] : [at(to), at(from)];
+    const angle = legible((along === 0 ? 0 : Math.PI / 2) - turn);
+    return { from: ends[0], to: ends[1], lineFrom: ends[0], lineTo: ends[1], out: null, angle };
+  });
+}
+
+/** What a CAD program makes of the style. */
+function sayFigure(metres: number, { inchesPerUnit, decimals }: DimensionStyle, metresPerUnit: number) {
+  return inchesPerUnit === undefined
+    ? (metres / metresPerUnit).toFixed(decimals)
+    : formatDimension(metres, 'ft');
 }
 
 interface DrawnDimension {
@@ -97,11 +152,10 @@ function drawDimension(
   name: string,
   { measured, style, metresPerMm, nextHandle }: DrawnDimension,
 ): void {
-  const { from, to, lineFrom, lineTo, angle } = measured;
+  const { from, to, lineFrom, lineTo, out, angle } = measured;
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-  const units = length / drawing.metresPerUnit;
   const height = style.textHeight * metresPerMm;
-  const figure = units.toFixed(style.decimals);
+  const figure = sayFigure(length, style, drawing.metresPerUnit);
   const width = textWidth(figure, height);
   // What is wider than its stretch stands on the line's other side, clear of its neighbours'.
   const isMoved = width > length;
@@ -137,7 +191,8 @@ function drawDimension(
       [71, 5],
       [1, ''],
     );
-    tags.add([42, drawing.length(length)], [3, DIMENSION_STYLE], [100, 'AcDbAlignedDimension'], ...points);
+    tags.add([42, drawing.length(length)], [3, out === null ? ROOM_DIMENSION_STYLE : DIMENSION_STYLE]);
+    tags.add([100, 'AcDbAlignedDimension'], ...points);
     tags.add([50, degrees(angle)], [100, 'AcDbRotatedDimension']);
   });
 }
@@ -148,17 +203,18 @@ function linesOf(
   { extensionGap, extensionOverhang, tick }: DimensionStyle,
   metresPerMm: number,
 ): (readonly [Vec2, Vec2])[] {
-  const beside = ([x, y]: Vec2, mm: number): Vec2 => [
-    x + out[0] * mm * metresPerMm,
-    y + out[1] * mm * metresPerMm,
+  const beside = ([x, y]: Vec2, [outX, outY]: Vec2, mm: number): Vec2 => [
+    x + outX * mm * metresPerMm,
+    y + outY * mm * metresPerMm,
   ];
+  const leadTo = (place: Vec2, end: Vec2, way: Vec2) =>
+    [beside(place, way, extensionGap), beside(end, way, extensionOverhang)] as const;
   const oblique = angle + Math.PI / 4;
   const reach = Math.SQRT2 * tick * metresPerMm;
   const [dx, dy] = [Math.cos(oblique) * reach, Math.sin(oblique) * reach];
   return [
     [lineFrom, lineTo],
-    [beside(from, extensionGap), beside(lineFrom, extensionOverhang)],
-    [beside(to, extensionGap), beside(lineTo, extensionOverhang)],
+    ...(out === null ? [] : [leadTo(from, lineFrom, out), leadTo(to, lineTo, out)]),
     ...[lineFrom, lineTo].map(([x, y]) => [[x - dx, y - dy] as const, [x + dx, y + dy] as const] as const),
   ];
 }

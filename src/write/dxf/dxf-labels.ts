@@ -2,6 +2,7 @@ import { combine } from '../../core/geometry/areas.ts';
 import { polygonArea, ringsOf } from '../../core/geometry/rings.ts';
 import type { Frame, FrameUnit, Polygon, Ring, Vec2 } from '../../core/types.ts';
 import { labelPoint } from '../sheet/label-point.ts';
+import { METRES_PER_FOOT } from '../sheet/measure-words.ts';
 import { shorten, textWidth } from '../sheet/text-width.ts';
 import { type DxfText, legible } from './dxf-drawing.ts';
 
@@ -30,15 +31,17 @@ export interface LabelFacts {
   /** Of letters where they fit, m. */
   readonly height: number;
   readonly frame: Pick<Frame, 'unit' | 'metresPerUnit'>;
+  /** Areas in square feet, whatever the drawing's unit. */
+  readonly isInFeet: boolean;
 }
 
 /**
  * Name and area in the middle of a room, along its walls, as large as asked for where that fits, else smaller or turned;
  * always within its outline.
  */
-export function roomLabel({ name, outline, obstacles, turn, height, frame }: LabelFacts): DxfText {
+export function roomLabel({ name, outline, obstacles, turn, height, frame, isInFeet }: LabelFacts): DxfText {
   const title = shorten(name.trim(), 1, LONGEST_NAME);
-  const area = sayArea(polygonArea(outline), frame);
+  const area = sayArea(polygonArea(outline), frame, isInFeet);
   const lines = title === '' ? [area] : [title, area];
   const free = obstacles.length > 0 ? combine('difference', [outline], obstacles) : [outline];
   const places = (free.length > 0 ? free : [outline]).map((piece) => ({ piece, at: labelPoint(piece) }));
@@ -63,9 +66,14 @@ export function roomLabel({ name, outline, obstacles, turn, height, frame }: Lab
 }
 
 /** In ASCII, since not every program reads the format's escapes. */
-function sayArea(squareMetres: number, { unit, metresPerUnit }: LabelFacts['frame']): string {
-  return IN_FEET.includes(unit)
-    ? `${(squareMetres / metresPerUnit ** 2).toFixed(AREA_DIGITS)} ft2`
+function sayArea(
+  squareMetres: number,
+  { unit, metresPerUnit }: LabelFacts['frame'],
+  isInFeet: boolean,
+): string {
+  const foot = IN_FEET.includes(unit) ? metresPerUnit : METRES_PER_FOOT;
+  return isInFeet || IN_FEET.includes(unit)
+    ? `${(squareMetres / foot ** 2).toFixed(AREA_DIGITS)} ft2`
     : `${squareMetres.toFixed(AREA_DIGITS)} m2`;
 }
 

@@ -8,6 +8,8 @@ const FONT = 'arial.ttf';
 /** Applications that data of this drawing is of: AutoCAD, and the one whose data are descriptions of layers. */
 const DESCRIPTIONS = 'AcAecLayerStandard';
 export const DIMENSION_STYLE = 'PLAN';
+/** Of dimensions inside rooms, which have no extension lines. */
+export const ROOM_DIMENSION_STYLE = 'PLAN-ROOM';
 
 export interface DxfHandles {
   /** Block record that owns the entities. */
@@ -40,6 +42,8 @@ export interface DimensionStyle {
   readonly extensionGap: number;
   readonly extensionOverhang: number;
   readonly decimals: number;
+  /** Where figures are in feet and inches: inches a drawing unit. */
+  readonly inchesPerUnit?: number;
 }
 
 /** A number without the noise of its last bits. */
@@ -205,21 +209,37 @@ function writeDimensionStyles(tags: DxfTags, style: DimensionStyle): void {
       [73, 0],
       [74, 0],
       [77, 1],
-      [78, 0],
     ] as const),
-    // Decimal figures with a point, as many digits each; the text moves without its line where it does not fit.
-    ...([
-      [271, style.decimals],
-      [277, 2],
-      [278, 46],
-      [279, 2],
-    ] as const),
+    // The text moves without its line where it does not fit.
+    ...figureTags(style),
+    [279, 2],
   ];
-  table(tags, 'DIMSTYLE', ['Standard', DIMENSION_STYLE], (name, owner) => {
+  const styles = ['Standard', DIMENSION_STYLE, ROOM_DIMENSION_STYLE];
+  table(tags, 'DIMSTYLE', styles, (name, owner) => {
     // The one record whose handle has another code.
     tags.add([0, 'DIMSTYLE'], [105, tags.handle()], [330, owner], [100, 'AcDbSymbolTableRecord']);
-    tags.add([100, 'AcDbDimStyleTableRecord'], [2, name], [70, 0], ...(name === DIMENSION_STYLE ? own : []));
+    tags.add([100, 'AcDbDimStyleTableRecord'], [2, name], [70, 0], ...(name === 'Standard' ? [] : own));
+    if (name === ROOM_DIMENSION_STYLE) tags.add([75, 1], [76, 1]);
   });
+}
+
+/** Decimal figures with a point, as many digits each; or feet, inches and eighths, their zeros as the sheet has them. */
+function figureTags({ decimals, inchesPerUnit }: DimensionStyle): readonly DxfTag[] {
+  if (inchesPerUnit === undefined) {
+    return [
+      [78, 0],
+      [271, decimals],
+      [277, 2],
+      [278, 46],
+    ];
+  }
+  return [
+    [78, 3],
+    [144, inchesPerUnit],
+    [271, 3],
+    [276, 2],
+    [277, 4],
+  ];
 }
 
 function writeLayout(

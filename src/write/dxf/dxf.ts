@@ -8,10 +8,11 @@ import { decimal } from '../decimals.ts';
 import type { Product } from '../plan-writer.ts';
 import { cutWalls } from '../sheet/cut-walls.ts';
 import { extentOf, type Inside } from '../sheet/dimensions.ts';
+import { INCHES_PER_FOOT, METRES_PER_FOOT } from '../sheet/measure-words.ts';
 import { rotationBy, turnToSquare } from '../sheet/sheet-turn.ts';
 import { textWidth } from '../sheet/text-width.ts';
-import { drawDxfDimensions } from './dxf-dimensions.ts';
-import { DxfDrawing } from './dxf-drawing.ts';
+import { type DimensionFacts, drawDxfDimensions } from './dxf-dimensions.ts';
+import { DxfDrawing, type DxfText } from './dxf-drawing.ts';
 import { roomLabel } from './dxf-labels.ts';
 import { type LayerNames, layersOf } from './dxf-layers.ts';
 import { drawOpeningBlocks } from './dxf-openings.ts';
@@ -52,11 +53,17 @@ export function writeDxf({ plan, options }: Product, storey: number): string {
   const drawing = new DxfDrawing({ to, metresPerUnit, names: layers });
   const style: DimensionStyle = {
     ...{ ...DIMENSIONS, scale: PER_MM / metresPerUnit, decimals: DIMENSION_DECIMALS[frame.unit] },
+    ...(options.displayUnits === 'ft' && {
+      inchesPerUnit: (metresPerUnit / METRES_PER_FOOT) * INCHES_PER_FOOT,
+    }),
   };
   const turn = turnToSquare(plan.storeys.flatMap(({ primary }) => primary));
-  drawStorey(drawing, plan.storeys[storey], { turn, frame });
+  const isInFeet = options.displayUnits === 'ft';
+  const labels = drawStorey(drawing, plan.storeys[storey], { turn, frame, isInFeet });
   drawOpeningBlocks(drawing, plan.storeys[storey], () => tags.handle());
-  drawDimensions(drawing, plan.storeys[storey], { turn, style, nextHandle: () => tags.handle() });
+  drawDimensions(drawing, plan.storeys[storey], {
+    ...{ which: options.dimensions, turn, style, labels, nextHandle: () => tags.handle() },
+  });
   // The format has no place for it that every CAD program reads or passes over, but comments.
   if (frame.crs !== undefined) tags.addComment(`Coordinate system: ${frame.crs}`);
   if (offset !== null) {
@@ -99,9 +106,11 @@ function writeHeader(tags: DxfTags, unit: FrameUnit, extent: Extent): void {
 interface Labelling {
   readonly turn: number;
   readonly frame: Frame;
+  readonly isInFeet: boolean;
 }
 
-function drawStorey(drawing: DxfDrawing, storey: Storey, labelling: Labelling): void {
+/** @returns the labels of rooms, as they were drawn */
+function drawStorey(drawing: DxfDrawing, storey: Storey, labelling: Labelling): readonly DxfText[] {
   const curves = storey.walls.flatMap(({ outline }) => circlesOf(outline));
   const { cut, inferred } = cutWalls(storey);
   for (const polygon of cut) drawing.fill('wallPattern', polygon, curves);
@@ -114,12 +123,17 @@ function drawStorey(drawing: DxfDrawing, storey: Storey, labelling: Labelling): 
     if (!shown.has(gap)) drawing.line('inferred', from, to);
   });
   for (const { outline, type } of storey.secondary) drawing.polygon(type, outline);
-  drawRooms(drawing, storey, labelling);
   for (const { outline } of storey.furniture ?? []) drawing.polygon('furniture', outline);
+  return drawRooms(drawing, storey, labelling);
 }
 
 /** Every room with its text; where none are known, the area within the primary boundary. */
-function drawRooms(drawing: DxfDrawing, { rooms, primary, secondary }: Storey, labelling: Labelling): void {
+function drawRooms(
+  drawing: DxfDrawing,
+  { rooms, primary, secondary }: Storey,
+  labelling: Labelling,
+): readonly DxfText[] {
+  const labels: DxfText[] = [];
   const obstacles = secondary.map(({ outline }) => ({ outline, bounds: extentOf([outline]) }));
   const label = (name: string, outline: Polygon) => {
     const { minX, minY, maxX, maxY } = extentOf([outline]);
@@ -128,19 +142,26 @@ function drawRooms(drawing: DxfDrawing, { rooms, primary, secondary }: Storey, l
     );
     const height = TEXT_HEIGHT * PER_MM;
     const obstaclesNear = near.map((each) => each.outline);
-    drawing.text('roomLabel', roomLabel({ name, outline, obstacles: obstaclesNear, height, ...labelling }));
+    const text = roomLabel({ name, outline, obstacles: obstaclesNear, height, ...labelling });
+    drawing.text('roomLabel', text);
+    labels.push(text);
   };
   for (const { name, outline } of rooms) {
     if (drawing.polygon('room', outline, { holes: 'roomVoid' })) label(name, outline);
   }
-  if (rooms.length > 0) return;
-  for (const outline of primary) if (outline.outer.length > 0) label('', outline);
+  const outlines = rooms.length > 0 ? [] : primary.filter(({ outer }) => outer.length > 0);
+  for (const outline of outlines) label('', outline);
+  return labels;
+}
+
+interface Dimensioning extends Pick<DimensionFacts, 'which' | 'turn' | 'style' | 'labels'> {
+  readonly nextHandle: () => string;
 }
 
 function drawDimensions(
   drawing: DxfDrawing,
   storey: Storey,
-  { turn, style, nextHandle }: { turn: number; style: DimensionStyle; nextHandle: () => string },
+  { nextHandle, turn, ...facts }: Dimensioning,
 ): void {
   const toSquare = rotationBy(turn);
   const squared = ({ outer, holes }: Polygon): Polygon => ({
@@ -157,8 +178,10 @@ function drawDimensions(
     rooms: storey.rooms.map((room) => ({ ...room, outline: squared(room.outline) })),
     openings: storey.openings.map((opening) => ({ ...opening, from: at(opening.from), to: at(opening.to) })),
   };
-  const facts = { covered, extent: extentOf(covered), inside, turn, scale: SCALE, style };
-  drawDxfDimensions(drawing, facts, nextHandle);
+  const structures = storey.secondary.map(({ outline }) => squared(outline));
+  const extent = extentOf(covered);
+  const square = { covered, extent, inside, structures, turn, scale: SCALE };
+  drawDxfDimensions(drawing, { ...facts, ...square }, nextHandle);
 }
 
 /** Whole units near the lower left corner of the building, the same for all its storeys. */

@@ -75,8 +75,8 @@ export function drawSheet(facts: SheetFacts, storey: number, warn: StageContext[
   const labels = placeLabels({ storey: drawn, planToSheet, unit, extent: onSheet(extent, squareToSheet) });
   const inner = drawRoomDimensions({
     ...{ rooms: options.dimensions === 'all' ? drawn.rooms.map(({ outline }) => outline) : [] },
-    ...{ structures: drawn.secondary.map(({ outline }) => outline), planToSheet, scale, unit },
-    taken: labels.map(({ box }) => box),
+    ...{ structures: drawn.secondary.map(({ outline }) => outline), planToSheet },
+    ...{ taken: labels.map(({ box }) => box), figure: (mm) => formatDimension((mm * scale) / 1000, unit) },
   });
   const outer = drawDimensions(dimensions, extent, { planToSheet: squareToSheet, unit });
   const words = titleWords(facts, drawn, { scale, paper: paper.name, turn });

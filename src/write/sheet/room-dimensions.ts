@@ -2,7 +2,6 @@ import { type Bounds, boundsMeet, boundsOf, ringsOf } from '../../core/geometry/
 import { type Affine, mapped, type SheetItem, TEXT_SIZES } from '../../core/sheet.ts';
 import type { Polygon, Ring } from '../../core/types.ts';
 import { SQUARE, TEXT_GAP, tickAt } from './dimensions.ts';
-import { type DisplayUnit, formatDimension } from './measure-words.ts';
 import { textWidth } from './text-width.ts';
 
 /** Lines are tried this far from the wall and in such steps into the room, mm. */
@@ -20,36 +19,31 @@ export interface InnerFacts {
   /** Lines keep off these. */
   readonly structures: readonly Polygon[];
   readonly planToSheet: Affine;
-  readonly scale: number;
-  readonly unit: DisplayUnit;
   /** Boxes of labels, mm. */
   readonly taken: readonly Bounds[];
+  /** What stands at a line, by its length in mm. */
+  figure(length: number): string;
 }
 
-/** A line from wall to wall, mm: its place across, and from where to where it runs. */
-interface Chord {
+/** A line from wall to wall, mm on the sheet: along x (0) or y, its place across, and from where to where it runs. */
+export interface RoomChord {
+  readonly along: 0 | 1;
   readonly place: number;
   readonly from: number;
   readonly to: number;
 }
 
 /** The width and the depth of every room that has space for the figures, along its walls, with ticks at their faces. */
-export function drawRoomDimensions({
-  rooms,
-  structures,
-  planToSheet,
-  scale,
-  unit,
-  taken,
-}: InnerFacts): SheetItem[] {
+export function drawRoomDimensions(facts: InnerFacts): SheetItem[] {
+  return roomChords(facts).flatMap((chord) => drawChord(chord, facts.figure(chord.to - chord.from)));
+}
+
+/** Where the width and the depth of every room are measured that has space for the figures. */
+export function roomChords({ rooms, structures, planToSheet, taken, figure }: InnerFacts): RoomChord[] {
   const obstacles = [...taken, ...structures.map(({ outer }) => boundsOf(mapped(outer, planToSheet)))];
   return rooms.flatMap((room) => {
     const rings = ringsOf([room]).map((ring) => mapped(ring, planToSheet));
-    return ([0, 1] as const).flatMap((along): SheetItem[] => {
-      const figure = (length: number) => formatDimension((length * scale) / 1000, unit);
-      const chord = chooseChord(rings, along, { obstacles, figure });
-      return chord === null ? [] : drawChord(chord, along, figure(chord.to - chord.from));
-    });
+    return ([0, 1] as const).flatMap((along) => chooseChord(rings, along, { obstacles, figure }) ?? []);
   });
 }
 
@@ -58,7 +52,7 @@ function chooseChord(
   rings: readonly Ring[],
   along: 0 | 1,
   { obstacles, figure }: { obstacles: readonly Bounds[]; figure: (length: number) => string },
-): Chord | null {
+): RoomChord | null {
   const { minX, minY, maxX, maxY } = boundsOf(rings[0]);
   // Below is where y is greatest.
   const [start, depth, way] = along === 0 ? [maxY, maxY - minY, -1] : [minX, maxX - minX, 1];
@@ -79,7 +73,7 @@ function chooseChord(
 }
 
 /** The longest stretch inside that a line at a place has, where walls end it squarely. */
-function longestChord(rings: readonly Ring[], along: 0 | 1, place: number): Chord | null {
+function longestChord(rings: readonly Ring[], along: 0 | 1, place: number): RoomChord | null {
   const across = 1 - along;
   const cuts: { at: number; isSquare: boolean }[] = [];
   for (const ring of rings) {
@@ -93,16 +87,17 @@ function longestChord(rings: readonly Ring[], along: 0 | 1, place: number): Chor
     }
   }
   cuts.sort((a, b) => a.at - b.at);
-  let best: Chord | null = null;
+  let best: RoomChord | null = null;
   for (let k = 0; k + 1 < cuts.length; k += 2) {
     const [from, to] = [cuts[k], cuts[k + 1]];
     if (!from.isSquare || !to.isSquare) continue;
-    if (best === null || to.at - from.at > best.to - best.from) best = { place, from: from.at, to: to.at };
+    if (best === null || to.at - from.at > best.to - best.from)
+      best = { along, place, from: from.at, to: to.at };
   }
   return best;
 }
 
-function drawChord({ place, from, to }: Chord, along: 0 | 1, text: string): SheetItem[] {
+function drawChord({ along, place, from, to }: RoomChord, text: string): SheetItem[] {
   const at = (value: number) => (along === 0 ? ([value, place] as const) : ([place, value] as const));
   const [x, y] = at((from + to) / 2);
   const figure = along === 0 ? { x, y: y - TEXT_GAP } : { x: x - TEXT_GAP, y, isUpright: true };

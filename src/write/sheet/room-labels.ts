@@ -4,7 +4,7 @@ import { type Affine, mapped, type SheetItem, type SheetText, TEXT_SIZES } from 
 import type { Ring, Storey } from '../../core/types.ts';
 import { labelPoint } from './label-point.ts';
 import { type DisplayUnit, formatArea } from './measure-words.ts';
-import { textWidth } from './text-width.ts';
+import { shorten, textWidth } from './text-width.ts';
 
 /** Blank around a text, mm. */
 const BLANK = 1;
@@ -12,6 +12,8 @@ const BLANK = 1;
 const LEADING = 1;
 /** A label that does not fit at the middle of its room is tried at so many places across and down. */
 const PLACES = 24;
+/** Longer names are cut, mm: what may stand beside a plan on the smallest sheet. */
+const LONGEST_NAME = 60;
 /** Middle of texts that are led out, off the plan, mm: between it and the first chain. */
 const LED_OUT = 2.8;
 
@@ -56,7 +58,8 @@ export function placeLabels({ storey, planToSheet, unit, extent }: LabelFacts): 
     const area = areaOf([outline]);
     if (area === 0) return [];
     const words = formatArea(area, unit);
-    const lines = name === '' ? [words] : [name, words];
+    const title = shorten(name, TEXT_SIZES.label, LONGEST_NAME);
+    const lines = title === '' ? [words] : [title, words];
     const free = combine('difference', [outline], structures);
     const spaces = (free.length > 0 ? free : [outline])
       .map((polygon) => ringsOf([polygon]).map((ring) => mapped(ring, planToSheet)))

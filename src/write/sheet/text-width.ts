@@ -14,7 +14,11 @@ export function textWidth(text: string, size: number): number {
 /** The text, or as much of it as fits and an ellipsis. */
 export function shorten(text: string, size: number, width: number): string {
   if (textWidth(text, size) <= width) return text;
-  const letters = [...text];
-  while (letters.length > 0 && textWidth(`${letters.join('')}…`, size) > width) letters.pop();
-  return `${letters.join('').trimEnd()}…`;
+  let [kept, taken] = ['', textWidth('…', size)];
+  for (const letter of text) {
+    taken += textWidth(letter, size);
+    if (taken > width) break;
+    kept += letter;
+  }
+  return `${kept.trimEnd()}…`;
 }

@@ -7,12 +7,12 @@ import DxfParser, {
   type IMtextEntity,
 } from 'dxf-parser';
 import { describe, expect, test } from 'vitest';
-import { polygonArea, signedArea } from '../../../../src/core/geometry/rings.ts';
+import { boundsOf, polygonArea, signedArea } from '../../../../src/core/geometry/rings.ts';
 import type { Options } from '../../../../src/core/params.ts';
 import type { FloorPlan, Storey } from '../../../../src/core/types.ts';
 import { writeDxf } from '../../../../src/write/dxf/dxf.ts';
 import { DXF_LAYERS } from '../../../../src/write/dxf/dxf-layers.ts';
-import { disc, rectangle, reversed } from '../../solid/plans.ts';
+import { disc, rectangle, reversed, rotated } from '../../solid/plans.ts';
 import { productOf } from '../products.ts';
 import { twoRooms } from './dxf-plans.ts';
 
@@ -104,10 +104,12 @@ describe.each(Object.entries(FRAMES))('%s', (_name, frame) => {
         const along = Math.abs((b.x - a.x) * cos + (b.y - a.y) * sin) * scale;
         expect(Math.abs(along - Math.hypot(b.x - a.x, b.y - a.y) * scale)).toBeLessThan(1e-6);
         expect(Math.abs(actualMeasurement * scale - along)).toBeLessThan(2 * WRITTEN);
-        expect(dxf.blocks[block].entities!.map(({ type }) => type).sort()).toEqual([
-          ...Array(5).fill('LINE'),
-          'MTEXT',
-        ]);
+        const drawn = dxf.blocks[block].entities!.map(({ type }) => type).sort();
+        // The line, two ticks, and around the plan two extension lines.
+        expect([
+          [...Array(5).fill('LINE'), 'MTEXT'],
+          [...Array(3).fill('LINE'), 'MTEXT'],
+        ]).toContainEqual(drawn);
         return along;
       },
     );
@@ -117,6 +119,49 @@ describe.each(Object.entries(FRAMES))('%s', (_name, frame) => {
     }
     expect(new Set(dimensions.map(({ block }) => block)).size).toBe(dimensions.length);
   });
+});
+
+test('rooms are measured inside, chains around alone or nothing at all, as is asked for', async () => {
+  const count = async (dimensions: Options['dimensions'], unit: Options['displayUnits'] = 'm') => {
+    const { all } = await readBack(twoRooms(0.3), {}, { dimensions, displayUnits: unit });
+    return all<IDimensionEntity>('DIMENSION').length;
+  };
+  expect(await count('none')).toBe(0);
+  const outside = await count('outside');
+  expect(outside).toBeGreaterThan(5);
+  // Width and depth of two rooms.
+  expect(await count('all')).toBe(outside + 4);
+});
+
+test('figures inside a room keep off its label and within its walls', async () => {
+  const turn = 0.3;
+  const { all, dxf, plan, metres } = await readBack(twoRooms(turn), FRAMES.UTM, { dimensions: 'all' });
+  const rooms = plan.storeys[0].rooms.map(({ outline }) => boundsOf(rotated(outline.outer, -turn)));
+  const inside = all<IDimensionEntity>('DIMENSION').filter(
+    ({ block }) => dxf.blocks[block].entities!.filter(({ type }) => type === 'LINE').length === 3,
+  );
+  expect(inside).toHaveLength(4);
+  for (const { linearOrAngularPoint1: a, linearOrAngularPoint2: b } of inside) {
+    const ends = rotated(Float64Array.of(...metres(a), ...metres(b)), -turn);
+    const [x, y] = [(ends[0] + ends[2]) / 2, (ends[1] + ends[3]) / 2];
+    const room = rooms.find(({ minX, maxX, minY, maxY }) => x > minX && x < maxX && y > minY && y < maxY)!;
+    const sizes = [room.maxX - room.minX, room.maxY - room.minY];
+    const length = Math.hypot(ends[2] - ends[0], ends[3] - ends[1]);
+    expect(Math.min(...sizes.map((size) => Math.abs(size - length)))).toBeLessThan(3 * WRITTEN);
+  }
+});
+
+test('in feet and inches the figures and areas say so, whatever the unit of the drawing', async () => {
+  const product = await productOf({ storeys: [twoRooms()], frame: FRAMES.millimetres });
+  const text = writeDxf({ ...product, options: { ...product.options, displayUnits: 'ft' } }, 0);
+  const lines = text.split(/\r?\n/).map((line) => line.trim());
+  expect(lines).toContain(`24'-11 1/4"`);
+  expect(lines.filter((line) => line.endsWith('ft2'))).toHaveLength(2);
+  const style = lines.slice(lines.indexOf('PLAN'));
+  const numberAt = (code: string) =>
+    Number(style[style.findIndex((line, i) => line === code && i % 2 === 1) + 1]);
+  expect(numberAt('144')).toBeCloseTo(1 / 25.4, 9);
+  expect(numberAt('277')).toBe(4);
 });
 
 test('in a curved wall a block is as deep as the wall at the jambs', async () => {

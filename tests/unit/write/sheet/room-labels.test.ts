@@ -75,3 +75,9 @@ test('no label leaves its room but by a line, and none lies on another', () => {
 test('a room without area has no label', () => {
   expect(labelsOf([{ name: 'Nothing', outer: Float64Array.of(0, 0, 1, 0, 2, 0) }])).toEqual([]);
 });
+
+test('a name of ten thousand letters is cut, so that it stays on the sheet', () => {
+  const [label] = labelsOf([{ name: 'x'.repeat(10_000), outer: rectangle(0, 0, 0.5, 0.5) }]);
+  expect(isLedOut(label)).toBe(true);
+  expect(label.box.maxX - label.box.minX).toBeLessThan(90);
+});
