@@ -1,17 +1,22 @@
 import type { Bounds } from '../../core/geometry/rings.ts';
 import type { Options } from '../../core/params.ts';
 import type { Polygon, Vec2 } from '../../core/types.ts';
-import { type Dimensions, type Inside, planDimensions } from '../sheet/dimensions.ts';
+import {
+  BELOW,
+  type Dimensions,
+  EXTENSION,
+  FIRST_CHAIN,
+  type Inside,
+  NEXT_CHAIN,
+  placeFigures,
+  planDimensions,
+} from '../sheet/dimensions.ts';
 import { formatDimension } from '../sheet/measure-words.ts';
 import { roomChords } from '../sheet/room-dimensions.ts';
-import { textWidth } from '../sheet/text-width.ts';
+import { widthByCapitals } from '../sheet/text-width.ts';
 import { type DxfDrawing, type DxfText, degrees, legible } from './dxf-drawing.ts';
 import { DIMENSION_STYLE, type DimensionStyle, ROOM_DIMENSION_STYLE } from './dxf-tables.ts';
 import type { DxfTags } from './dxf-tags.ts';
-
-/** Distance of the first chain from the plan, and between chains, mm on paper. */
-const FIRST_CHAIN = 10;
-const NEXT_CHAIN = 8;
 
 /** Types of a rotated dimension whose block is its own, and of one whose text has been put in place. */
 const OWN_BLOCK = 32;
@@ -55,6 +60,17 @@ interface Measured {
   /** Outwards; none where the line runs from face to face. */
   readonly out: Vec2 | null;
   readonly angle: number;
+  readonly figure: Figure;
+}
+
+/** What stands at a dimension. */
+interface Figure {
+  readonly text: string;
+  /** Its middle on the line, and what leads from there to its upper side. */
+  readonly at: Vec2;
+  readonly up: Vec2;
+  /** It has no place of its own on its side of the line, or none at all. */
+  readonly place: 'above' | 'below' | 'none';
 }
 
 /** Draws the chains around the plan and the sizes of its rooms: their distances are measured by the CAD program. */
@@ -65,7 +81,7 @@ export function drawDxfDimensions(
 ): void {
   const { which, scale, style } = facts;
   const measured = [
-    ...(which === 'none' ? [] : measureChains(facts)),
+    ...(which === 'none' ? [] : measureChains(facts, drawing.metresPerUnit)),
     ...(which === 'all' ? measureRooms(facts, drawing.metresPerUnit) : []),
   ];
   measured.forEach((each, i) => {
@@ -79,22 +95,42 @@ function turnBack(turn: number): (x: number, y: number) => Vec2 {
   return (x, y) => [cos * x - sin * y, sin * x + cos * y];
 }
 
-function measureChains({ covered, extent, inside, turn, scale }: DimensionFacts): Measured[] {
+function measureChains(facts: DimensionFacts, metresPerUnit: number): Measured[] {
+  const { covered, extent, inside, turn, scale, style } = facts;
   const { chains } = planDimensions(covered, extent, scale, inside);
   const back = turnBack(turn);
+  const mmPerMetre = 1000 / scale;
   return (Object.keys(SIDES) as (keyof typeof SIDES)[]).flatMap((name) => {
     const { isAcross, edge, away } = SIDES[name];
     const out = isAcross ? back(0, away) : back(away, 0);
     const angle = legible((isAcross ? 0 : Math.PI / 2) - turn);
     const at = (place: number, mm: number) => {
-      const aside = extent[edge] + (away * mm * scale) / 1000;
+      const aside = extent[edge] + (away * mm) / mmPerMetre;
       return isAcross ? back(place, aside) : back(aside, place);
     };
     return chains[name].flatMap((places, k) => {
       const line = FIRST_CHAIN + k * NEXT_CHAIN;
-      return places.slice(1).map((place, i): Measured => {
-        const [from, to] = [at(places[i], 0), at(place, 0)];
-        return { from, to, lineFrom: at(places[i], line), lineTo: at(place, line), out, angle };
+      const texts = places.slice(1).map((place, i) => sayFigure(place - places[i], style, metresPerUnit));
+      const placed = placeFigures(
+        places.map((place) => place * mmPerMetre),
+        texts,
+      );
+      return texts.map((text, i): Measured => {
+        const [from, to] = [places[i], places[i + 1]];
+        const place = placed[i];
+        return {
+          // Extension lines are short, as on the sheet: what they would lead to is far off where the outline steps back.
+          ...{ from: at(from, line - EXTENSION), to: at(to, line - EXTENSION) },
+          ...{ lineFrom: at(from, line), lineTo: at(to, line), out, angle },
+          figure: {
+            ...{
+              text,
+              at: at(place === null ? (from + to) / 2 : place.at / mmPerMetre, line),
+              up: upOf(angle),
+            },
+            place: place === null ? 'none' : place.isBelow ? 'below' : 'above',
+          },
+        };
       });
     });
   });
@@ -127,10 +163,20 @@ function measureRooms(facts: DimensionFacts, metresPerUnit: number): Measured[] 
       along === 0 ? back(value / perMetre, -place / perMetre) : back(place / perMetre, -value / perMetre);
     // Upright figures are read upwards.
     const ends = along === 0 ? [at(from), at(to)] : [at(to), at(from)];
-    const angle = legible((along === 0 ? 0 : Math.PI / 2) - turn);
-    return { from: ends[0], to: ends[1], lineFrom: ends[0], lineTo: ends[1], out: null, angle };
+    const angle = (along === 0 ? 0 : Math.PI / 2) - turn;
+    return {
+      ...{ from: ends[0], to: ends[1], lineFrom: ends[0], lineTo: ends[1], out: null, angle: legible(angle) },
+      figure: {
+        text: sayFigure((to - from) / perMetre, style, metresPerUnit),
+        // On the side that was found clear, whichever way it is read.
+        ...{ at: at((from + to) / 2), up: upOf(angle), place: 'above' },
+      },
+    };
   });
 }
+
+/** What leads up from a line of text. */
+const upOf = (angle: number): Vec2 => [-Math.sin(angle), Math.cos(angle)];
 
 /** What a CAD program makes of the style. */
 function sayFigure(metres: number, { inchesPerUnit, decimals }: DimensionStyle, metresPerUnit: number) {
@@ -152,23 +198,17 @@ function drawDimension(
   name: string,
   { measured, style, metresPerMm, nextHandle }: DrawnDimension,
 ): void {
-  const { from, to, lineFrom, lineTo, out, angle } = measured;
+  const { from, to, lineTo, out, angle, figure } = measured;
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
   const height = style.textHeight * metresPerMm;
-  const figure = sayFigure(length, style, drawing.metresPerUnit);
-  const width = textWidth(figure, height);
-  // What is wider than its stretch stands on the line's other side, clear of its neighbours'.
-  const isMoved = width > length;
-  const above = (isMoved ? -1 : 1) * (style.textGap + style.textHeight / 2) * metresPerMm;
-  const at: Vec2 = [
-    (lineFrom[0] + lineTo[0]) / 2 - Math.sin(angle) * above,
-    (lineFrom[1] + lineTo[1]) / 2 + Math.cos(angle) * above,
-  ];
-  const half: Vec2 = [width / 2, height / 2];
+  const half: Vec2 = [widthByCapitals(figure.text, height) / 2, height / 2];
+  const above =
+    figure.place === 'below' ? -BELOW * metresPerMm + half[1] : style.textGap * metresPerMm + half[1];
+  const at: Vec2 = [figure.at[0] + figure.up[0] * above, figure.at[1] + figure.up[1] * above];
   const lines = linesOf(measured, style, metresPerMm).map(
     ([a, b]) => [drawing.point(10, a), drawing.point(11, b)] as const,
   );
-  const text = drawing.textTags({ lines: [figure], at, height, angle, half });
+  const text = drawing.textTags({ lines: [figure.text], at, height, angle, half });
   const points = [drawing.point(13, from), drawing.point(14, to)].flat();
   const [onLine, middle] = [drawing.point(10, lineTo), drawing.point(11, at)];
   const write = (tags: DxfTags, owner: string) => {
@@ -176,6 +216,7 @@ function drawDimension(
       tags.entity('LINE', owner, '0');
       tags.add([100, 'AcDbLine'], ...a, ...b);
     }
+    if (figure.place === 'none') return;
     tags.entity('MTEXT', owner, '0');
     text(tags);
   };
@@ -187,9 +228,10 @@ function drawDimension(
       [2, name],
       ...onLine,
       ...middle,
-      [70, isMoved ? PLACED : OWN_BLOCK],
+      [70, figure.place === 'above' ? OWN_BLOCK : PLACED],
       [71, 5],
-      [1, ''],
+      // A blank where there is no place for its figure; else what the program measures.
+      [1, figure.place === 'none' ? ' ' : ''],
     );
     tags.add([42, drawing.length(length)], [3, out === null ? ROOM_DIMENSION_STYLE : DIMENSION_STYLE]);
     tags.add([100, 'AcDbAlignedDimension'], ...points);

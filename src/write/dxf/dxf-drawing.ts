@@ -13,8 +13,8 @@ import type { DxfTag, DxfTags, Extent } from './dxf-tags.ts';
 /** Decimals of bulges and factors: 0.1 mm in the middle of an arc, or at the end of a line, of a kilometre. */
 const FINE_DIGITS = 8;
 
-/** Text this near to upright is upright, radians. */
-const UPRIGHT = 1e-9;
+/** Text is still read from the right where it leans back by less than this, radians. */
+const LEANING = Math.PI / 6;
 
 /** A vertex as written. */
 interface PolylinePlace {
@@ -264,8 +264,8 @@ export function degrees(radians: number): string {
   return decimal(((angle % 360) + 360) % 360, FINE_DIGITS);
 }
 
-/** The same direction or its opposite, so that text along it is read from below or the right: above −90° up to 90°. */
+/** The same direction or its opposite, so that text along it is read from below or the right: above −60° up to 120°. */
 export function legible(angle: number): number {
-  const most = Math.PI / 2 + UPRIGHT;
-  return angle > most ? angle - Math.PI : angle <= UPRIGHT - Math.PI / 2 ? angle + Math.PI : angle;
+  const most = Math.PI / 2 + LEANING;
+  return angle > most ? angle - Math.PI : angle <= most - Math.PI ? angle + Math.PI : angle;
 }

@@ -3,7 +3,7 @@ import { polygonArea, ringsOf } from '../../core/geometry/rings.ts';
 import type { Frame, FrameUnit, Polygon, Ring, Vec2 } from '../../core/types.ts';
 import { labelPoint } from '../sheet/label-point.ts';
 import { METRES_PER_FOOT } from '../sheet/measure-words.ts';
-import { shorten, textWidth } from '../sheet/text-width.ts';
+import { shorten, widthByCapitals } from '../sheet/text-width.ts';
 import { type DxfText, legible } from './dxf-drawing.ts';
 
 /** Longest name in a label, letters' widths. */
@@ -48,7 +48,7 @@ export function roomLabel({ name, outline, obstacles, turn, height, frame, isInF
   const { piece, at } = places.reduce((best, place) => (place.at[2] > best.at[2] ? place : best));
   // Half of its width and depth for letters 1 high.
   const half: Vec2 = [
-    Math.max(...lines.map((line) => textWidth(line, 1))) / 2,
+    Math.max(...lines.map((line) => widthByCapitals(line, 1))) / 2,
     (1 + (lines.length - 1) * LINE) / 2,
   ];
   const [x, y, distance] = at;

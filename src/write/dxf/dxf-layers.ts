@@ -5,7 +5,7 @@ interface LayerRow {
   readonly ncs: string;
   readonly iso13567: string;
   readonly doc: string;
-  /** AutoCAD's index. */
+  /** AutoCAD's index, of those that can be read on black and on white. */
   readonly colour: number;
   readonly lineType: 'Continuous' | 'DASHED';
   /** 1/100 mm, as the sheet draws them. */
@@ -41,27 +41,27 @@ export const DXF_LAYERS = {
   },
   column: {
     ...{ ncs: 'A-COLS', iso13567: 'A-COLUMNE-E', doc: 'Columns' },
-    ...{ colour: 5, lineType: 'Continuous', weight: 35 },
+    ...{ colour: 150, lineType: 'Continuous', weight: 35 },
   },
   shaft: {
     ...{ ncs: 'A-FLOR-SHFT', iso13567: 'A-SHAFT-E-E', doc: 'Shafts' },
-    ...{ colour: 5, lineType: 'Continuous', weight: 35 },
+    ...{ colour: 150, lineType: 'Continuous', weight: 35 },
   },
   other: {
     ...{ ncs: 'A-FLOR-OTHR', iso13567: 'A-OTHER-E-E', doc: 'Other structures that stand in the storey' },
-    ...{ colour: 5, lineType: 'Continuous', weight: 35 },
+    ...{ colour: 150, lineType: 'Continuous', weight: 35 },
   },
   door: {
     ...{ ncs: 'A-DOOR', iso13567: 'A-DOOR--E-E', doc: 'Doors' },
-    ...{ colour: 3, lineType: 'Continuous', weight: 25 },
+    ...{ colour: 92, lineType: 'Continuous', weight: 25 },
   },
   window: {
     ...{ ncs: 'A-GLAZ', iso13567: 'A-WINDOWE-E', doc: 'Windows' },
-    ...{ colour: 4, lineType: 'Continuous', weight: 25 },
+    ...{ colour: 140, lineType: 'Continuous', weight: 25 },
   },
   passage: {
     ...{ ncs: 'A-WALL-HEAD', iso13567: 'A-PASSAGE-E', doc: 'Passages without a leaf: their heads' },
-    ...{ colour: 3, lineType: 'DASHED', weight: 25 },
+    ...{ colour: 92, lineType: 'DASHED', weight: 25 },
   },
   room: {
     ...{ ncs: 'A-AREA', iso13567: 'A-SPACE-E-E', doc: 'Rooms: net areas, one closed polyline each' },
@@ -73,7 +73,7 @@ export const DXF_LAYERS = {
   },
   roomLabel: {
     ...{ ncs: 'A-AREA-IDEN', iso13567: 'A-SPACE-T-E', doc: 'Rooms: name and area' },
-    ...{ colour: 2, lineType: 'Continuous', weight: 25 },
+    ...{ colour: 7, lineType: 'Continuous', weight: 25 },
   },
   dimension: {
     ...{ ncs: 'A-ANNO-DIMS', iso13567: 'A-------D-E', doc: 'Dimensions' },
@@ -81,7 +81,7 @@ export const DXF_LAYERS = {
   },
   note: {
     ...{ ncs: 'A-ANNO-TEXT', iso13567: 'A-------T-E', doc: 'Notes' },
-    ...{ colour: 2, lineType: 'Continuous', weight: 25 },
+    ...{ colour: 7, lineType: 'Continuous', weight: 25 },
   },
   furniture: {
     ...{ ncs: 'A-FURN', iso13567: 'A-FURNITE-E', doc: 'Furniture' },

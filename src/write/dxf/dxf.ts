@@ -1,16 +1,16 @@
 import { circlesOf } from '../../core/geometry/ring-arcs.ts';
 import { boundsOfAll } from '../../core/geometry/rings.ts';
-import { mapped } from '../../core/sheet.ts';
+import { mapped, TEXT_SIZES } from '../../core/sheet.ts';
 import { sourceCoordinates } from '../../core/source-coordinates.ts';
 import type { FloorPlan, Frame, FrameUnit, Polygon, Storey, Vec2 } from '../../core/types.ts';
 import { footprint } from '../../solid/sections.ts';
 import { decimal } from '../decimals.ts';
 import type { Product } from '../plan-writer.ts';
 import { cutWalls } from '../sheet/cut-walls.ts';
-import { extentOf, type Inside } from '../sheet/dimensions.ts';
+import { EXTENSION, extentOf, type Inside, TEXT_GAP, TICK } from '../sheet/dimensions.ts';
 import { INCHES_PER_FOOT, METRES_PER_FOOT } from '../sheet/measure-words.ts';
 import { rotationBy, turnToSquare } from '../sheet/sheet-turn.ts';
-import { textWidth } from '../sheet/text-width.ts';
+import { CAPITAL, widthByCapitals } from '../sheet/text-width.ts';
 import { type DimensionFacts, drawDxfDimensions } from './dxf-dimensions.ts';
 import { DxfDrawing, type DxfText } from './dxf-drawing.ts';
 import { roomLabel } from './dxf-labels.ts';
@@ -30,11 +30,20 @@ const DIMENSION_DECIMALS: Record<FrameUnit, number> = {
 const SCALE = 100;
 /** Metres in the building of a millimetre on such a print. */
 const PER_MM = SCALE / 1000;
-/** Lengths in mm on a print, as the sheet has them. */
-const TEXT_HEIGHT = 2.5;
+/** Lengths in mm on a print, as the sheet has them; of text, its capitals. */
+const TEXT_HEIGHT = CAPITAL * TEXT_SIZES.room;
+const FIGURE_HEIGHT = CAPITAL * TEXT_SIZES.label;
 const DASH = 3;
 const NOTE_GAP = 8;
-const DIMENSIONS = { textHeight: TEXT_HEIGHT, textGap: 1, tick: 1.1, extensionGap: 3, extensionOverhang: 2 };
+const DIMENSIONS = {
+  ...{
+    textHeight: FIGURE_HEIGHT,
+    textGap: TEXT_GAP,
+    tick: TICK,
+    extensionGap: 0,
+    extensionOverhang: EXTENSION,
+  },
+};
 
 /**
  * Writes plan.dxf: an AutoCAD 2000 drawing in model space with z = 0, in the source's units and coordinates, so that it
@@ -207,7 +216,7 @@ function offsetNote({ crs }: Frame, [x, y]: Vec2): string {
 function drawNote(drawing: DxfDrawing, note: string): void {
   const { minX, minY } = drawing.bounds ?? { minX: 0, minY: 0 };
   const height = TEXT_HEIGHT * PER_MM;
-  const half: Vec2 = [textWidth(note, height) / 2, height / 2];
+  const half: Vec2 = [widthByCapitals(note, height) / 2, height / 2];
   const at: Vec2 = [minX + half[0], minY - NOTE_GAP * PER_MM];
   drawing.text('note', { lines: [note], at, height, angle: 0, half });
 }

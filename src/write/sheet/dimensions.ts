@@ -1,22 +1,22 @@
 import { type Bounds, boundsOfAll } from '../../core/geometry/rings.ts';
-import { type Affine, type SheetItem, type SheetText, TEXT_SIZES } from '../../core/sheet.ts';
+import { type Affine, type SheetItem, TEXT_SIZES } from '../../core/sheet.ts';
 import type { Polygon, Ring, Storey } from '../../core/types.ts';
 import { type DisplayUnit, formatDimension } from './measure-words.ts';
 import type { Surround } from './sheet-page.ts';
-import { textWidth } from './text-width.ts';
+import { CAPITAL, textWidth } from './text-width.ts';
 
 /** Distance of the first chain from the plan, between chains, and of text above its line, mm. */
-const FIRST_CHAIN = 9;
-const NEXT_CHAIN = 7;
+export const FIRST_CHAIN = 9;
+export const NEXT_CHAIN = 7;
 export const TEXT_GAP = 1;
 /** Extension lines are short, so that they cross no figures: so far to either side of their chain, mm. */
-const EXTENSION = 1.4;
+export const EXTENSION = 1.4;
 /** … and figures below a chain so far past these, mm. */
 const FIGURE_GAP = 0.3;
 /** A figure that stands below its line may be pushed aside so far, mm; where that is not enough, it is left out. */
 const FARTHEST_PUSH = 4;
 /** Half the length of an oblique tick along each axis, mm. */
-const TICK = 1.1;
+export const TICK = 1.1;
 /** Blank beyond the outermost chain, mm. */
 const CLEARANCE = 4;
 /** A step in the outline gets a dimension when it is at least this deep, m, and its dimension this wide, mm. */
@@ -30,8 +30,8 @@ const THICKEST_OUTER_WALL = 0.8;
 const CORNER = Math.PI / 12;
 /** Two places nearer than this are one: no tape tells them apart, m. */
 const SAME_PLACE = 0.015;
-/** Height of figures as a share of the type size. */
-const CAPITAL = 0.72;
+/** Base line of a figure that stands below its line, mm from there. */
+export const BELOW = EXTENSION + FIGURE_GAP + CAPITAL * TEXT_SIZES.label;
 /** The outline is looked at this far left and right of a step, m. */
 const BESIDE = 0.01;
 /** More steps than this on a side are a jagged outline, not corners to be measured. */
@@ -196,7 +196,19 @@ function drawChain(
     { kind: 'path', style: 'dimension', lines, isClosed: false },
     { kind: 'path', style: 'tick', lines: ticks, isClosed: false },
   ];
-  items.push(...drawFigures(places, side.along === 1, unit, (place) => at(place, offset)));
+  const figures = places.slice(1).map((place, i) => formatDimension(place - places[i], unit));
+  const isUpright = side.along === 1;
+  const mmPerMetre = planToSheet[0];
+  placeFigures(
+    places.map((place) => place * mmPerMetre),
+    figures,
+  ).forEach((figure, i) => {
+    if (figure === null) return;
+    const [x, y] = at(figure.at / mmPerMetre, offset);
+    const aside = figure.isBelow ? BELOW : -TEXT_GAP;
+    const place = isUpright ? { x: x + aside, y, isUpright } : { x, y: y + aside };
+    items.push({ kind: 'text', size: 'label', ...place, text: figures[i], anchor: 'middle' });
+  });
   return items;
 }
 
@@ -205,37 +217,32 @@ export function tickAt(x: number, y: number): Float64Array {
   return Float64Array.of(x - TICK, y + TICK, x + TICK, y - TICK);
 }
 
-/** The figures above the line, those too wide for their stretch below it, a little aside where the last one stands. */
-function drawFigures(
-  places: readonly number[],
-  isUpright: boolean,
-  unit: DisplayUnit,
-  at: (place: number) => readonly [number, number],
-): SheetText[] {
-  const way = isUpright ? 1 : 0;
-  // Upright figures are read upwards, so their line runs to lower y.
-  const sign = isUpright ? -1 : 1;
+/** Where a figure of a chain stands. */
+export interface FigurePlace {
+  /** Its middle along the chain, mm. */
+  readonly at: number;
+  /** On the other side of the line. */
+  readonly isBelow: boolean;
+}
+
+/**
+ * Figures stand above the middle of their stretch, those too wide for it below, a little aside where the last one stands;
+ * null for what finds no place.
+ *
+ * @param places of ticks along the chain, rising as it is read, mm
+ * @param figures one a stretch
+ */
+export function placeFigures(places: readonly number[], figures: readonly string[]): (FigurePlace | null)[] {
   let taken = Number.NEGATIVE_INFINITY;
-  const texts: SheetText[] = [];
-  for (let i = 0; i + 1 < places.length; i++) {
-    const [from, to] = [at(places[i]), at(places[i + 1])];
-    const text = formatDimension(places[i + 1] - places[i], unit);
-    const width = textWidth(text, TEXT_SIZES.label) + TEXT_GAP;
-    const isWide = width > Math.abs(to[way] - from[way]);
-    let along = (sign * (from[way] + to[way])) / 2;
-    if (isWide) {
-      const push = Math.max(0, taken + width / 2 - along);
-      if (push > FARTHEST_PUSH) continue;
-      along += push;
-      taken = along + width / 2;
-    }
-    const aside = isWide ? EXTENSION + FIGURE_GAP + CAPITAL * TEXT_SIZES.label : -TEXT_GAP;
-    const place = isUpright
-      ? { x: from[0] + aside, y: sign * along, isUpright }
-      : { x: along, y: from[1] + aside };
-    texts.push({ kind: 'text', size: 'label', ...place, text, anchor: 'middle' });
-  }
-  return texts;
+  return figures.map((figure, i) => {
+    const width = textWidth(figure, TEXT_SIZES.label) + TEXT_GAP;
+    const middle = (places[i] + places[i + 1]) / 2;
+    if (width <= places[i + 1] - places[i]) return { at: middle, isBelow: false };
+    const push = Math.max(0, taken + width / 2 - middle);
+    if (push > FARTHEST_PUSH) return null;
+    taken = middle + push + width / 2;
+    return { at: middle + push, isBelow: true };
+  });
 }
 
 /** Places where the outline, seen from the side, steps forwards or back; none where it is jagged all over. */
