@@ -1,7 +1,13 @@
 import { FloorPlanError } from '../core/errors.ts';
 import { parseParam } from '../core/options.ts';
 import { type GivenValues, kebabCase, PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
-import { SIDECARS, WRITE_FORMAT_NAMES, WRITE_FORMATS, type WriteFormatName } from '../write/formats.ts';
+import {
+  SIDECARS,
+  WRITE_FORMAT_NAMES,
+  WRITE_FORMATS,
+  type WriteFormatName,
+  zipOf,
+} from '../write/formats.ts';
 import type { WriteFormat } from '../write/plan-writer.ts';
 
 /** What a person asked of the command. */
@@ -76,7 +82,10 @@ function parseFormats(text: string): readonly string[] {
     });
   }
   const wanted = names.filter((name) => name !== 'report') as WriteFormatName[];
-  return [...new Set(wanted.flatMap((name) => [name, ...(SIDECARS[name] ?? [])]))];
+  const all = [...new Set(wanted.flatMap((name) => [name, ...(SIDECARS[name] ?? [])]))];
+  const others = all.filter((name) => name !== 'zip');
+  // Beside others, a ZIP holds these.
+  return all.map((name) => (name === 'zip' && others.length > 0 ? zipOf(others) : name));
 }
 
 function isOnRequest(name: WriteFormatName): boolean {

@@ -24,7 +24,8 @@ export const PROPERTIES = {
 export const METHODS = {
   load: 'load(source: File | Blob | URL | string, or an array of them: parts of one scan): Promise<FloorPlan>. Rejects with a FloorPlanError.',
   cancel: 'cancel(): stops the run; the last plan stays.',
-  export: 'export(format): Promise<Blob>. Several files (one a storey) come as a ZIP.',
+  export:
+    'export(format): Promise<Blob>. Several files (one a storey) come as a ZIP; zip:svg,dxf packs these formats.',
   fit: 'fit(): shows everything in both views.',
 } as const;
 

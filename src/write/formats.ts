@@ -224,7 +224,7 @@ export const WRITE_FORMATS = {
   zip: {
     label: 'All as ZIP',
     group: 'data',
-    doc: 'Every format above in one file, but for stage pictures and points.',
+    doc: 'Every format above in one file, but for stage pictures and points; or those chosen.',
     extension: 'zip',
     mime: 'application/zip',
     isPerStorey: false,
@@ -241,12 +241,22 @@ export const WRITE_FORMAT_NAMES = Object.keys(WRITE_FORMATS) as readonly WriteFo
 /** Large, and about how the plan came about rather than the plan. */
 const NOT_ZIPPED: readonly string[] = ['pictures', 'glb-points', 'zip'];
 
-function zipOrder(tools: WriteTools): ZipOrder {
-  const formats = Object.entries(WRITE_FORMATS).filter(([name]) => !NOT_ZIPPED.includes(name));
+/** @param chosen names; without them everything but {@link NOT_ZIPPED} */
+function zipOrder(tools: WriteTools, chosen?: readonly string[]): ZipOrder {
+  const isPacked = (name: string) => chosen?.includes(name) ?? !NOT_ZIPPED.includes(name);
+  const formats = Object.entries<WriteFormat>(WRITE_FORMATS).filter(([name]) => isPacked(name));
   return {
     formats: formats.map(([name, { label, doc }]) => ({ name, label, doc })),
     write: (product, name) => writeFiles(product, name, tools),
   };
+}
+
+/** What {@link zipOf} begins with. */
+const ZIP_OF = 'zip:';
+
+/** The format that packs others: `zip:svg,dxf`. */
+export function zipOf(names: readonly string[]): string {
+  return ZIP_OF + names.join(',');
 }
 
 /** Formats that go along when a format is written to a folder: the paper puts a georeference beside an SVG. */
@@ -257,7 +267,7 @@ export const SIDECARS: Partial<Record<WriteFormatName, readonly WriteFormatName[
 
 /**
  * Writes a plan as the files of one format: one, for drawn formats of a building of several storeys one a storey, for
- * pictures one a picture.
+ * pictures one a picture; or those of several formats in one ZIP ({@link zipOf}).
  *
  * @throws option/invalid for a name that is no format
  */
@@ -266,6 +276,30 @@ export async function writeFiles(
   format: string,
   tools: WriteTools = {},
 ): Promise<WrittenFile[]> {
+  if (format.startsWith(ZIP_OF)) return [await writeChosen(product, format.slice(ZIP_OF.length), tools)];
+  const row: WriteFormat = WRITE_FORMATS[knownFormat(format)];
+  if ('writeAll' in row) return [...row.writeAll(product)];
+  const { base, extension, mime } = row;
+  const storeys = row.isPerStorey ? product.plan.storeys.length : 1;
+  const files: WrittenFile[] = [];
+  for (let storey = 0; storey < storeys; storey++) {
+    const name = storeys === 1 ? base : `${base}-${storey}`;
+    files.push({ name: `${name}.${extension}`, mime, content: await row.write(product, storey, tools) });
+  }
+  return files;
+}
+
+async function writeChosen(product: Product, names: string, tools: WriteTools): Promise<WrittenFile> {
+  const chosen = names
+    .split(',')
+    .map(knownFormat)
+    .filter((name) => name !== 'zip');
+  const { base, extension, mime } = WRITE_FORMATS.zip;
+  const content = await writeZip(product, zipOrder(tools, chosen));
+  return { name: `${base}.${extension}`, mime, content };
+}
+
+function knownFormat(format: string): WriteFormatName {
   if (!Object.hasOwn(WRITE_FORMATS, format)) {
     throw new FloorPlanError(
       'option/invalid',
@@ -276,14 +310,5 @@ export async function writeFiles(
       },
     );
   }
-  const row: WriteFormat = WRITE_FORMATS[format as WriteFormatName];
-  if ('writeAll' in row) return [...row.writeAll(product)];
-  const { base, extension, mime } = row;
-  const storeys = row.isPerStorey ? product.plan.storeys.length : 1;
-  const files: WrittenFile[] = [];
-  for (let storey = 0; storey < storeys; storey++) {
-    const name = storeys === 1 ? base : `${base}-${storey}`;
-    files.push({ name: `${name}.${extension}`, mime, content: await row.write(product, storey, tools) });
-  }
-  return files;
+  return format as WriteFormatName;
 }

@@ -1,4 +1,5 @@
 import { readFile } from 'node:fs/promises';
+import { unzipSync } from 'fflate';
 import {
   drawOutline,
   dropFile,
@@ -75,6 +76,22 @@ test('a dropped file becomes a plan, and every export is one click', async ({ pa
     const expected = CONTENT[format];
     if (expected) expect(bytes.toString('latin1'), format).toMatch(expected);
   }
+});
+
+test('formats chosen go in one ZIP', async ({ page }) => {
+  await openPlan(page);
+  const choose = page.getByTestId('choose-exports');
+  const zip = page.getByTestId('export-zip');
+  await choose.click();
+  await expect(zip).toBeDisabled();
+  for (const format of ['svg', 'dxf', 'rooms']) await page.getByTestId(`export-${format}`).click();
+  await page.getByTestId('export-dxf').click();
+  await expect(page.getByTestId('export-svg')).toHaveAttribute('aria-pressed', 'true');
+  await expect(zip).toHaveText('ZIP of 2');
+  const entries = unzipSync(await download(page, 'zip'));
+  expect(Object.keys(entries).sort()).toEqual(['README.txt', 'plan.svg', 'rooms.csv']);
+  await choose.click();
+  await expect(zip).toHaveText('All as ZIP');
 });
 
 test('a picked file becomes a plan', async ({ page }) => {

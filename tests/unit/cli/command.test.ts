@@ -3,6 +3,7 @@ import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
+import { unzipSync } from 'fflate';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { measurePlan } from '../../accuracy/measure.ts';
 import { BAD_INPUTS } from '../../bad-inputs.ts';
@@ -160,6 +161,15 @@ describe('a good scan', () => {
     expect(await readFile(join(together, 'plan.geojson'), 'utf8')).toBe(
       await readFile(join(whole, 'plan.geojson'), 'utf8'),
     );
+  });
+
+  it('packs the formats named beside zip', async () => {
+    const out = join(folder, 'packed');
+    const { exitCode } = await grundriss(hallway, '-o', out, '--formats', 'dxf,rooms,zip');
+    expect(exitCode).toBe(0);
+    expect((await readdir(out)).sort()).toEqual(['plan.dxf', 'plan.zip', 'report.json', 'rooms.csv']);
+    const entries = unzipSync(await readFile(join(out, 'plan.zip')));
+    expect(Object.keys(entries)).toEqual(['plan.dxf', 'rooms.csv', 'README.txt']);
   });
 
   it('draws the stages when asked', async () => {

@@ -1,3 +1,4 @@
+import { unzipSync } from 'fflate';
 import { expect, test } from 'vitest';
 import { makeNodeCanvas } from '../../../src/cli/node-canvas.ts';
 import type { PointCloud } from '../../../src/core/types.ts';
@@ -61,6 +62,15 @@ test('one storey: the names people build on', async () => {
     'picture-15-model.svg',
     'plan.zip',
   ]);
+});
+
+test('chosen formats in one ZIP', async () => {
+  const product = await productOf(home());
+  const [file, ...others] = await writeFiles(product, 'zip:svg,rooms');
+  expect([file.name, others]).toEqual(['plan.zip', []]);
+  const entries = unzipSync(file.content as Uint8Array);
+  expect(Object.keys(entries)).toEqual(['plan.svg', 'rooms.csv', 'README.txt']);
+  await expect(writeFiles(product, 'zip:svg,pdx')).rejects.toMatchObject({ code: 'option/invalid' });
 });
 
 test('several storeys: drawn formats once a storey, the others with all of them', async () => {
