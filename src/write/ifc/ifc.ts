@@ -6,8 +6,9 @@ import { addStorey } from './ifc-storey.ts';
 import type { Ref } from './step-file.ts';
 import { cutLabel, DERIVED, label, list, OMITTED, text } from './step-text.ts';
 
-/** The clock is no input of a plan, and equal plans give equal bytes. */
-const NO_TIME = '1970-01-01T00:00:00';
+/** The clock is no input of a plan, and equal plans give equal bytes; a date may be given for the sheet. */
+const NO_DAY = '1970-01-01';
+const DAY = /^\d{4}-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])$/;
 
 /**
  * Writes plan.ifc: IFC 4, Reference View, of project, site, building and storeys with their spaces, walls, openings, doors,
@@ -17,11 +18,11 @@ const NO_TIME = '1970-01-01T00:00:00';
  * else the site's place where that is near zero, and in full among the site's properties always. The building's zero is the
  * floor of its lowest storey. Linear in walls and rooms, openings times walls where they are near.
  */
-export function writeIfc({ name, plan }: Product): string {
+export function writeIfc({ name, plan, options }: Pick<Product, 'name' | 'plan' | 'options'>): string {
   const { source, frame } = plan;
   const model = new IfcModel([source.name, source.bytes, source.pointsKept, ...frame.planOrigin].join(' '));
   const { file, shapes } = model;
-  const project = addProject(model, name);
+  const project = addProject(model, options.project.trim() || name);
   const sitePlace = shapes.place(null, placeModel(model, frame));
   const site = model.thing(
     'IFCSITE',
@@ -43,7 +44,7 @@ export function writeIfc({ name, plan }: Product): string {
   return file.end({
     description: 'ViewDefinition [ReferenceView_V1.2]',
     fileName: 'plan.ifc',
-    timeStamp: NO_TIME,
+    timeStamp: `${DAY.test(options.sheetDate) ? options.sheetDate : NO_DAY}T00:00:00`,
     program: 'Grundriss',
     schema: 'IFC4',
   });

@@ -41,6 +41,9 @@ export function writePdf(
   return new PdfPage(sheet[storey], options.displayUnits, tools).write();
 }
 
+/** A print is as large as the page, so that its scale is true. */
+const VIEWING = '<< /PrintScaling /None /DisplayDocTitle true >>';
+
 class PdfPage {
   readonly #file = new PdfFile();
   readonly #sheet: Sheet;
@@ -81,7 +84,9 @@ class PdfPage {
     );
     const hidden = groups.filter((_, i) => !layers[i].isVisible);
     const layering = `<< /OCGs [${refs(groups)}] /D << /Order [${refs(groups)}] /OFF [${refs(hidden)}] >> >>`;
-    const root = file.add(`<< /Type /Catalog /Pages ${pages} 0 R /OCProperties ${layering} /Lang (en) >>`);
+    const root = file.add(
+      `<< /Type /Catalog /Pages ${pages} 0 R /OCProperties ${layering} /Lang (en) /ViewerPreferences ${VIEWING} >>`,
+    );
     const info = file.add(
       `<< /Title ${textString(title)} /Subject ${textString(description)} /Creator ${textString('Grundriss')} >>`,
     );

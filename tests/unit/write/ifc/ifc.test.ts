@@ -1,14 +1,15 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import * as webIfc from 'web-ifc';
 import { writeIfc } from '../../../../src/write/ifc/ifc.ts';
-import type { Product } from '../../../../src/write/plan-writer.ts';
 import { disc, type PlanFacts, planOf, rectangle, secondary, wallAround } from '../../solid/plans.ts';
 import { FLAT_RING, flat, UTM } from './ifc-plans.ts';
 import { IfcReader } from './ifc-reader.ts';
 
 /** The writer needs the plan alone. */
-const productOf = (facts: PlanFacts, name = 'flat'): Product =>
-  ({ name, plan: planOf(facts), slice: {}, solid: {} }) as unknown as Product;
+const productOf = (facts: PlanFacts, name = 'flat') => {
+  const plan = planOf(facts);
+  return { name, plan, options: plan.options };
+};
 
 const ifcOf = (facts: PlanFacts, name?: string): string => writeIfc(productOf(facts, name));
 const open = (facts: PlanFacts, name?: string): Promise<IfcReader> => IfcReader.open(ifcOf(facts, name));
@@ -325,4 +326,16 @@ describe('ids', () => {
     const storey = flat();
     expect(await idOf({ ...storey, walls: storey.walls!.slice(1) })).toBe(await idOf(storey));
   });
+});
+
+test('the project and the day are those given for the sheet', async () => {
+  const { name, plan, options } = productOf({ storeys: [flat()] });
+  const given = { ...options, project: 'Town hall', sheetDate: '2026-11-23' };
+  const text = writeIfc({ name, plan, options: given });
+  expect(text).toContain("'2026-11-23T00:00:00'");
+  expect((await IfcReader.open(text)).lines(webIfc.IFCPROJECT)[0].Name.value).toBe('Town hall');
+  // Only an ISO date can stand there.
+  expect(writeIfc({ name, plan, options: { ...options, sheetDate: 'May' } })).toContain(
+    "'1970-01-01T00:00:00'",
+  );
 });
