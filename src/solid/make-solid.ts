@@ -69,7 +69,7 @@ function partsOf(storey: Storey, options: Options): Part[] {
   const parts: Part[] = [];
   const add = (
     kind: Part['kind'],
-    base: Polygon[],
+    base: readonly Polygon[],
     [low, high]: readonly [number, number],
     name: string = kind,
   ) =>

@@ -20,28 +20,38 @@ export function wallSection(storey: Storey): Polygon[] {
 }
 
 /** All walls of a storey in one, without the hairlines between pieces that were cut apart. */
-export function wallArea({ walls }: Storey): Polygon[] {
+export const wallArea = oncePerStorey(({ walls }) => {
   const area = unite(walls.map(({ outline }) => outline));
   const closed = grow(grow(area, HAIRLINE / 2), -HAIRLINE / 2);
   return vertexCount(closed) < vertexCount(area) ? closed : area;
-}
+});
 
 function vertexCount(polygons: readonly Polygon[]): number {
   return ringsOf(polygons).reduce((sum, ring) => sum + ring.length / 2, 0);
 }
 
 /** What openings take out of the walls in the cross-section. */
-export function openingsAtCut(storey: Storey): Polygon[] {
+export const openingsAtCut = oncePerStorey((storey) => {
   const cut = storey.floor + CUT_HEIGHT;
   const open = openingBoxes(storey).filter(({ low, high }) => low < cut && cut < high);
   return open.map(({ base }) => base);
-}
+});
 
 /** All that a storey covers, walls included; courtyards stay open. Disjoint polygons, metres. */
-export function footprint(storey: Storey): Polygon[] {
+export const footprint = oncePerStorey((storey) => {
   const walls = storey.walls.map(({ outline }) => outline);
   const rooms = storey.rooms.map(({ outline }) => outline);
   return unite([...storey.primary, ...rooms, ...walls]);
+});
+
+/** The model and every file of a plan ask for the same areas. */
+function oncePerStorey(make: (storey: Storey) => readonly Polygon[]): (storey: Storey) => readonly Polygon[] {
+  const known = new WeakMap<Storey, readonly Polygon[]>();
+  return (storey) => {
+    const made = known.get(storey) ?? make(storey);
+    known.set(storey, made);
+    return made;
+  };
 }
 
 /**

@@ -1,25 +1,7 @@
 import { FloorPlanError } from '../core/errors.ts';
-import { writeGeoJson } from './data/geojson.ts';
-import { writeGeoJsonWgs84 } from './data/geojson-wgs84.ts';
-import { writePlanJson } from './data/plan-json.ts';
-import { writeRoomsCsv } from './data/rooms-csv.ts';
-import { writeRoomsXlsx } from './data/rooms-xlsx.ts';
-import { writeSliceCsv } from './data/slice-csv.ts';
-import { writeFrameJson } from './drawing/frame-json.ts';
-import { writeMinimalSvg } from './drawing/minimal-svg.ts';
-import { writePng } from './drawing/png.ts';
 import type { WriteTools } from './drawing/raster.ts';
-import { writeSvg } from './drawing/svg.ts';
-import { writeDxf } from './dxf/dxf.ts';
-import { writeIfc } from './ifc/ifc.ts';
-import { writeCloudGlb, writeGlb } from './model/glb.ts';
-import { writeObj } from './model/obj.ts';
-import { writePly } from './model/ply.ts';
-import { writeStl } from './model/stl.ts';
-import { writePdf } from './pdf/pdf.ts';
-import { writePictures } from './pictures/pictures.ts';
 import type { Product, WriteFormat, WrittenFile } from './plan-writer.ts';
-import { writeZip, type ZipOrder } from './zip.ts';
+import type { ZipOrder } from './zip.ts';
 
 /** Every file a plan can be written as: export menu, `--formats`, README table and round-trip tests come from here. */
 export const WRITE_FORMATS = {
@@ -31,7 +13,7 @@ export const WRITE_FORMATS = {
     mime: 'image/svg+xml',
     isPerStorey: true,
     base: 'plan',
-    write: writeSvg,
+    load: async () => (await import('./drawing/svg.ts')).writeSvg,
   },
   pdf: {
     label: 'PDF',
@@ -41,7 +23,7 @@ export const WRITE_FORMATS = {
     mime: 'application/pdf',
     isPerStorey: true,
     base: 'plan',
-    write: writePdf,
+    load: async () => (await import('./pdf/pdf.ts')).writePdf,
   },
   png: {
     label: 'PNG',
@@ -52,7 +34,7 @@ export const WRITE_FORMATS = {
     isPerStorey: true,
     isOnRequest: true,
     base: 'plan',
-    write: writePng,
+    load: async () => (await import('./drawing/png.ts')).writePng,
   },
   'minimal-svg': {
     label: 'SVG paths',
@@ -62,7 +44,7 @@ export const WRITE_FORMATS = {
     mime: 'image/svg+xml',
     isPerStorey: true,
     base: 'plan',
-    write: writeMinimalSvg,
+    load: async () => (await import('./drawing/minimal-svg.ts')).writeMinimalSvg,
   },
   dxf: {
     label: 'DXF',
@@ -72,7 +54,7 @@ export const WRITE_FORMATS = {
     mime: 'image/vnd.dxf',
     isPerStorey: true,
     base: 'plan',
-    write: writeDxf,
+    load: async () => (await import('./dxf/dxf.ts')).writeDxf,
   },
   geojson: {
     label: 'GeoJSON',
@@ -82,7 +64,7 @@ export const WRITE_FORMATS = {
     mime: 'application/geo+json',
     isPerStorey: false,
     base: 'plan',
-    write: writeGeoJson,
+    load: async () => (await import('./data/geojson.ts')).writeGeoJson,
   },
   'geojson-wgs84': {
     label: 'GeoJSON WGS 84',
@@ -94,7 +76,7 @@ export const WRITE_FORMATS = {
     isPerStorey: false,
     isOnRequest: true,
     base: 'plan',
-    write: writeGeoJsonWgs84,
+    load: async () => (await import('./data/geojson-wgs84.ts')).writeGeoJsonWgs84,
   },
   glb: {
     label: 'GLB',
@@ -104,7 +86,7 @@ export const WRITE_FORMATS = {
     mime: 'model/gltf-binary',
     isPerStorey: false,
     base: 'plan',
-    write: writeGlb,
+    load: async () => (await import('./model/glb.ts')).writeGlb,
   },
   'glb-points': {
     label: 'GLB with points',
@@ -116,7 +98,7 @@ export const WRITE_FORMATS = {
     isPerStorey: false,
     isOnRequest: true,
     base: 'plan',
-    write: writeCloudGlb,
+    load: async () => (await import('./model/glb.ts')).writeCloudGlb,
   },
   ifc: {
     label: 'IFC 4',
@@ -127,7 +109,7 @@ export const WRITE_FORMATS = {
     isPerStorey: false,
     isOnRequest: true,
     base: 'plan',
-    write: writeIfc,
+    load: async () => (await import('./ifc/ifc.ts')).writeIfc,
   },
   obj: {
     label: 'OBJ',
@@ -136,7 +118,7 @@ export const WRITE_FORMATS = {
     extension: 'obj',
     mime: 'model/obj',
     isOnRequest: true,
-    writeAll: writeObj,
+    loadAll: async () => (await import('./model/obj.ts')).writeObj,
   },
   stl: {
     label: 'STL',
@@ -147,7 +129,7 @@ export const WRITE_FORMATS = {
     isPerStorey: false,
     isOnRequest: true,
     base: 'plan',
-    write: writeStl,
+    load: async () => (await import('./model/stl.ts')).writeStl,
   },
   ply: {
     label: 'PLY',
@@ -158,7 +140,7 @@ export const WRITE_FORMATS = {
     isPerStorey: false,
     isOnRequest: true,
     base: 'plan',
-    write: writePly,
+    load: async () => (await import('./model/ply.ts')).writePly,
   },
   json: {
     label: 'Plan JSON',
@@ -168,7 +150,7 @@ export const WRITE_FORMATS = {
     mime: 'application/json',
     isPerStorey: false,
     base: 'plan',
-    write: writePlanJson,
+    load: async () => (await import('./data/plan-json.ts')).writePlanJson,
   },
   frame: {
     label: 'Georeference',
@@ -178,7 +160,7 @@ export const WRITE_FORMATS = {
     mime: 'application/json',
     isPerStorey: true,
     base: 'plan',
-    write: writeFrameJson,
+    load: async () => (await import('./drawing/frame-json.ts')).writeFrameJson,
   },
   slice: {
     label: 'Slice CSV',
@@ -189,7 +171,7 @@ export const WRITE_FORMATS = {
     needs: 'points',
     isPerStorey: false,
     base: 'slice',
-    write: writeSliceCsv,
+    load: async () => (await import('./data/slice-csv.ts')).writeSliceCsv,
   },
   rooms: {
     label: 'Rooms CSV',
@@ -199,7 +181,7 @@ export const WRITE_FORMATS = {
     mime: 'text/csv',
     isPerStorey: false,
     base: 'rooms',
-    write: writeRoomsCsv,
+    load: async () => (await import('./data/rooms-csv.ts')).writeRoomsCsv,
   },
   'rooms-xlsx': {
     label: 'Rooms XLSX',
@@ -210,7 +192,7 @@ export const WRITE_FORMATS = {
     isPerStorey: false,
     isOnRequest: true,
     base: 'rooms',
-    write: writeRoomsXlsx,
+    load: async () => (await import('./data/rooms-xlsx.ts')).writeRoomsXlsx,
   },
   pictures: {
     label: 'Stage pictures',
@@ -219,7 +201,7 @@ export const WRITE_FORMATS = {
     extension: 'svg',
     mime: 'image/svg+xml',
     isOnRequest: true,
-    writeAll: writePictures,
+    loadAll: async () => (await import('./pictures/pictures.ts')).writePictures,
   },
   zip: {
     label: 'All as ZIP',
@@ -230,7 +212,10 @@ export const WRITE_FORMATS = {
     isPerStorey: false,
     isOnRequest: true,
     base: 'plan',
-    write: (product, _, tools) => writeZip(product, zipOrder(tools)),
+    load: async () => {
+      const { writeZip } = await import('./zip.ts');
+      return (product, _, tools) => writeZip(product, zipOrder(tools));
+    },
   },
 } as const satisfies Record<string, WriteFormat>;
 
@@ -278,13 +263,14 @@ export async function writeFiles(
 ): Promise<WrittenFile[]> {
   if (format.startsWith(ZIP_OF)) return [await writeChosen(product, format.slice(ZIP_OF.length), tools)];
   const row: WriteFormat = WRITE_FORMATS[knownFormat(format)];
-  if ('writeAll' in row) return [...row.writeAll(product)];
+  if ('loadAll' in row) return [...(await row.loadAll())(product)];
+  const write = await row.load();
   const { base, extension, mime } = row;
   const storeys = row.isPerStorey ? product.plan.storeys.length : 1;
   const files: WrittenFile[] = [];
   for (let storey = 0; storey < storeys; storey++) {
     const name = storeys === 1 ? base : `${base}-${storey}`;
-    files.push({ name: `${name}.${extension}`, mime, content: await row.write(product, storey, tools) });
+    files.push({ name: `${name}.${extension}`, mime, content: await write(product, storey, tools) });
   }
   return files;
 }
@@ -295,6 +281,7 @@ async function writeChosen(product: Product, names: string, tools: WriteTools): 
     .map(knownFormat)
     .filter((name) => name !== 'zip');
   const { base, extension, mime } = WRITE_FORMATS.zip;
+  const { writeZip } = await import('./zip.ts');
   const content = await writeZip(product, zipOrder(tools, chosen));
   return { name: `${base}.${extension}`, mime, content };
 }

@@ -39,17 +39,19 @@ export interface FileFormat extends FormatFacts {
   readonly isPerStorey: boolean;
   /** Base name of the file: plan, slice, rooms … */
   readonly base: string;
-  /** @param storey index of the storey where the format is per storey, else 0 */
-  write(
-    product: Product,
-    storey: number,
-    tools: WriteTools,
-  ): WrittenFile['content'] | Promise<WrittenFile['content']>;
+  load(): Promise<FileWriter>;
 }
+
+/** @param storey index of the storey where the format is per storey, else 0 */
+export type FileWriter = (
+  product: Product,
+  storey: number,
+  tools: WriteTools,
+) => WrittenFile['content'] | Promise<WrittenFile['content']>;
 
 /** A format of as many files as the product gives. */
 export interface FileSetFormat extends FormatFacts {
-  writeAll(product: Product): readonly WrittenFile[];
+  loadAll(): Promise<(product: Product) => readonly WrittenFile[]>;
 }
 
 /** Why a file of points cannot be written of a plan that was opened without its scan. */
@@ -61,5 +63,5 @@ export function noPointsFor(file: string, format: string): FloorPlanError {
   );
 }
 
-/** A row of WRITE_FORMATS, keyed by the name used in `--formats` and `export(format)`. */
+/** A row of WRITE_FORMATS, keyed by the name used in `--formats` and `export(format)`; its writer is loaded when it is asked for. */
 export type WriteFormat = FileFormat | FileSetFormat;
