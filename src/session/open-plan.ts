@@ -1,4 +1,5 @@
 import { FloorPlanError } from '../core/errors.ts';
+import { NO_SUCH_ROOM, nameRooms } from '../core/name-rooms.ts';
 import { resolveOptions } from '../core/options.ts';
 import { type GivenValues, type Options, PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
 import { STAGE_NAMES } from '../core/stages.ts';
@@ -36,8 +37,8 @@ export async function readPlanFile(sources: readonly ByteSource[]): Promise<Floo
 }
 
 /**
- * Lays over a plan what was given: parameters of the stages after it, and the height of its walls. All else was decided
- * with the points at hand.
+ * Lays over a plan what was given: parameters of the stages after it, the height of its walls and names of its rooms. All else
+ * was decided with the points at hand.
  *
  * @throws option/unknown, option/invalid
  */
@@ -48,17 +49,24 @@ export function openPlan(read: FloorPlan, given: GivenValues): OpenedPlan {
   const counting = names.filter(countsWithoutPoints);
   const changes = Object.fromEntries(counting.map((name) => [name, asked[name]]));
   const options = resolveOptions({ ...read.options, ...changes });
-  const { wallHeight } = changes as Partial<Options>;
-  const storeys =
-    typeof wallHeight === 'number'
-      ? read.storeys.map((storey) => ({ ...storey, height: wallHeight }))
-      : read.storeys;
   const lost = names.filter((name) => !countsWithoutPoints(name) && !isSaid(name, read.options, asked));
-  return { plan: { ...read, options, storeys }, options, warnings: lost.length > 0 ? [needScan(lost)] : [] };
+  const plan = changed({ ...read, options }, changes);
+  return { plan, options, warnings: lost.length > 0 ? [needScan(lost)] : [] };
+}
+
+/** With the walls as high and the rooms called as was given now. */
+function changed(plan: FloorPlan, { wallHeight, roomNames }: Partial<Options>): FloorPlan {
+  const isHigh = typeof wallHeight === 'number';
+  const storeys = isHigh ? plan.storeys.map((storey) => ({ ...storey, height: wallHeight })) : plan.storeys;
+  if (roomNames === undefined) return { ...plan, storeys };
+  // Names that found no room before are looked for again.
+  const warnings = plan.warnings.filter(({ code }) => code !== NO_SUCH_ROOM);
+  const named = nameRooms({ ...plan, storeys }, (warning) => warnings.push(warning));
+  return { ...plan, storeys: named, warnings };
 }
 
 function countsWithoutPoints(name: ParamName): boolean {
-  if (name === 'wallHeight') return true;
+  if (name === 'wallHeight' || name === 'roomNames') return true;
   return STAGE_NAMES.indexOf(PARAMS[name].stage) > STAGE_NAMES.indexOf('plan');
 }
 
