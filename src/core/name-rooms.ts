@@ -4,11 +4,11 @@ import { planPlace } from './source-coordinates.ts';
 import type { FloorPlan, Storey, Warning } from './types.ts';
 
 /** A name that was given is in no room of the plan. */
-export const NO_SUCH_ROOM = 'plan/no-such-room';
+const NO_SUCH_ROOM = 'plan/no-such-room';
 
 /**
  * Calls the rooms as the parameter `roomNames` says, and with them what stands in them and what of their outlines was not seen.
- * Of several names for one room the last counts. Warning: {@link NO_SUCH_ROOM}. Names × rooms.
+ * Of several names for one room the last counts. Warning: `plan/no-such-room`. Names × rooms.
  *
  * @param plan its storeys lowest first
  * @throws option/invalid

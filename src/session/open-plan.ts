@@ -1,7 +1,8 @@
 import { FloorPlanError } from '../core/errors.ts';
-import { NO_SUCH_ROOM, nameRooms } from '../core/name-rooms.ts';
+import { nameRooms } from '../core/name-rooms.ts';
 import { resolveOptions } from '../core/options.ts';
 import { type GivenValues, type Options, PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
+import { formatRoomNames, parseRoomNames, type RoomName } from '../core/room-names.ts';
 import { STAGE_NAMES } from '../core/stages.ts';
 import type { FloorPlan, Warning } from '../core/types.ts';
 import { isArchive, openArchive } from '../read/archive/open-archive.ts';
@@ -47,11 +48,20 @@ export function openPlan(read: FloorPlan, given: GivenValues): OpenedPlan {
   const asked = resolveOptions(given);
   const names = PARAM_NAMES.filter((name) => given[name] !== undefined);
   const counting = names.filter(countsWithoutPoints);
-  const changes = Object.fromEntries(counting.map((name) => [name, asked[name]]));
-  const options = resolveOptions({ ...read.options, ...changes });
+  const changes: Partial<Options> = Object.fromEntries(counting.map((name) => [name, asked[name]]));
+  const roomNames = changes.roomNames && withNames(read.options.roomNames, changes.roomNames);
+  const options = resolveOptions({ ...read.options, ...changes, ...(roomNames && { roomNames }) });
   const lost = names.filter((name) => !countsWithoutPoints(name) && !isSaid(name, read.options, asked));
   const plan = changed({ ...read, options }, changes);
   return { plan, options, warnings: lost.length > 0 ? [needScan(lost)] : [] };
+}
+
+/** Names that were given before, and after them those given now. */
+function withNames(before: string, now: string): string {
+  const names = parseRoomNames(now);
+  const isOther = (old: RoomName) =>
+    names.every(({ x, y, storey }) => x !== old.x || y !== old.y || storey !== old.storey);
+  return formatRoomNames([...parseRoomNames(before).filter(isOther), ...names]);
 }
 
 /** With the walls as high and the rooms called as was given now. */
@@ -59,10 +69,11 @@ function changed(plan: FloorPlan, { wallHeight, roomNames }: Partial<Options>): 
   const isHigh = typeof wallHeight === 'number';
   const storeys = isHigh ? plan.storeys.map((storey) => ({ ...storey, height: wallHeight })) : plan.storeys;
   if (roomNames === undefined) return { ...plan, storeys };
-  // Names that found no room before are looked for again.
-  const warnings = plan.warnings.filter(({ code }) => code !== NO_SUCH_ROOM);
-  const named = nameRooms({ ...plan, storeys }, (warning) => warnings.push(warning));
-  return { ...plan, storeys: named, warnings };
+  // A name that found no room before may be given again.
+  const warnings = new Map(plan.warnings.map((warning) => [warning.message, warning]));
+  const options = { ...plan.options, roomNames };
+  const named = nameRooms({ ...plan, storeys, options }, (warning) => warnings.set(warning.message, warning));
+  return { ...plan, storeys: named, warnings: [...warnings.values()] };
 }
 
 function countsWithoutPoints(name: ParamName): boolean {

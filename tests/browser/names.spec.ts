@@ -47,7 +47,7 @@ test('a room is pressed and named, in the drawing and in what is saved; undo and
   await expect(input).toBeDisabled();
   const place = await onSheet(page, ...(await middleOf(page, 1)));
   await page.mouse.move(...place);
-  await expect(words).toHaveText(/^\u2068Room 2\u2069, \d+\.\d m²$/);
+  await expect(words).toHaveText(/^Room 2, \d+\.\d m²$/);
   await expect(page.locator('.mark-area')).toHaveCount(1);
   await page.mouse.click(...place);
   await expect(page.locator('.mark-area.is-chosen')).toHaveCount(1);
@@ -58,6 +58,7 @@ test('a room is pressed and named, in the drawing and in what is saved; undo and
   await expect(drawing(page)).toContainText(NAME);
   await expectReady(page);
   await expect(input).toHaveValue(NAME);
+  await expect(words).toHaveText(/^\u2068.+\u2069, \d+\.\d m²$/);
   await expect(input).toBeFocused();
   expect((await planRooms(page))[1]).toBe(NAME);
   expect(await roomNames(page)).toMatch(/^[\d.]+,[\d.]+=مطبخ 👩‍🍳 <b>&;;$/);

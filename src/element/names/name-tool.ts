@@ -5,6 +5,7 @@ import { planPlace } from '../../core/source-coordinates.ts';
 import type { Vec2 } from '../../core/types.ts';
 import type { SheetPlace } from '../../view/sheet.ts';
 import type { SheetMark } from '../../view/sheet-marks.ts';
+import { isolated } from '../../write/sheet/isolated.ts';
 import { formatArea } from '../../write/sheet/measure-words.ts';
 import type { Actions, Model } from '../model.ts';
 import type { PlanTool } from '../plan-tool.ts';
@@ -140,7 +141,6 @@ export class NameTool implements PlanTool {
     const index = this.#hovered < 0 ? this.#chosen : this.#hovered;
     if (index < 0) return START;
     const area = formatArea(areaOf([this.#names.rooms[index].outline]), unit);
-    // Whatever way a name runs, the words after it keep theirs.
-    return `\u2068${this.#names.nameOf(index)}\u2069, ${area}`;
+    return `${isolated(this.#names.nameOf(index))}, ${area}`;
   }
 }
