@@ -19,6 +19,7 @@ export {
   type ParamName,
 } from './core/params.ts';
 export type { PipelineHooks, Progress, StageReport } from './core/pipeline-run.ts';
+export { formatRoomNames, parseRoomNames, type RoomName } from './core/room-names.ts';
 export type { StageResults } from './core/stage-results.ts';
 export { STAGE_NAMES, STAGES, type StageName } from './core/stages.ts';
 export type * from './core/types.ts';

@@ -9,6 +9,7 @@ const SHORTCUTS = [
   ['Shift + arrow keys', 'Turn the model'],
   ['[ ]', 'Step before, next step, while going step by step'],
   ['D', 'Cut doors in the drawing: press a wall, a gap, or a door to take it away'],
+  ['N', 'Name rooms in the drawing: press a room and type what it is called'],
   ['M', 'Measure, and set the scale by a known length'],
   ['C', 'Crop: drag a box around what is used of the scan'],
   ['Esc', 'Leave a tool, or a comparison'],

@@ -1,5 +1,7 @@
+import { CROP_FORM } from '../core/crop-box.ts';
 import type { AutoNumberRow, NumberRow, ParamRow } from '../core/param-rows.ts';
 import { kebabCase, PARAM_NAMES, PARAMS } from '../core/params.ts';
+import { ROOM_NAME_WORDS } from '../core/room-names.ts';
 import { STAGE_NAMES, STAGES } from '../core/stages.ts';
 import { READ_FORMATS } from '../read/formats.ts';
 import { WRITE_FORMATS } from '../write/formats.ts';
@@ -59,7 +61,9 @@ export function valueWords(row: ParamRow): string {
     case 'classes':
       return 'all|CODE,CODE-CODE,…';
     case 'crop':
-      return 'none|x0,y0,x1,y1[,z0,z1][@heading]';
+      return `none|${CROP_FORM}`;
+    case 'room-names':
+      return `none|${ROOM_NAME_WORDS};…`;
     case 'text':
       return 'TEXT';
   }

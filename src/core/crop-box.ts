@@ -12,9 +12,10 @@ export interface CropBox {
   readonly heading: number;
 }
 
+/** How a box is written. */
+export const CROP_FORM = 'x0,y0,x1,y1[,z0,z1][@heading]';
 /** What {@link parseCrop} reads, in words. */
-export const CROP_WORDS =
-  'none or x0,y0,x1,y1[,z0,z1][@heading] with x0 < x1, y0 < y1, z0 < z1 and -180 ≤ heading ≤ 180';
+export const CROP_WORDS = `none or ${CROP_FORM} with x0 < x1, y0 < y1, z0 < z1 and -180 ≤ heading ≤ 180`;
 
 /** Degrees either way: half a turn. */
 export const MOST_HEADING = 180;

@@ -5,6 +5,7 @@ import { FloorPlanError } from './errors.ts';
 import type { AutoNumberRow, NumberRow, ParamRow } from './param-rows.ts';
 import { type GivenValues, type Options, PARAM_NAMES, PARAMS, type ParamName } from './params.ts';
 import { readQuantity, unitWords } from './quantity.ts';
+import { parseRoomNames, ROOM_NAME_WORDS } from './room-names.ts';
 import { OUTLINE_STAGES } from './stages.ts';
 
 /**
@@ -119,6 +120,7 @@ function checkValue(name: ParamName, value: unknown, found: unknown): void {
   const row: ParamRow = PARAMS[name];
   if (row.kind === 'classes' && typeof value === 'string') parseClasses(value);
   if (row.kind === 'crop' && typeof value === 'string') parseCrop(value);
+  if (row.kind === 'room-names' && typeof value === 'string') parseRoomNames(value);
   const expected = expectation(row, value);
   if (expected === null) return;
   const words = Array.isArray(found) ? found.join(',') : String(found);
@@ -165,6 +167,8 @@ function expectation(row: ParamRow, value: unknown): string | null {
       return typeof value === 'string' ? null : 'all or class codes: 2,6';
     case 'crop':
       return typeof value === 'string' ? null : CROP_WORDS;
+    case 'room-names':
+      return typeof value === 'string' ? null : `none or ${ROOM_NAME_WORDS};…`;
     case 'text':
       return typeof value === 'string' && value.length <= row.longest
         ? null

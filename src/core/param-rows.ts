@@ -63,6 +63,10 @@ export interface ClassesRow extends RowFacts<string> {
 export interface CropRow extends RowFacts<string> {
   readonly kind: 'crop';
 }
+/** `none`, or names `x,y[,storey]=Name` joined by semicolons; `parseRoomNames` reads it. */
+export interface RoomNamesRow extends RowFacts<string> {
+  readonly kind: 'room-names';
+}
 /** Free text. */
 export interface TextRow extends RowFacts<string> {
   readonly kind: 'text';
@@ -81,6 +85,7 @@ export type ParamRow =
   | DoorsRow
   | ClassesRow
   | CropRow
+  | RoomNamesRow
   | TextRow;
 
 export const px = (value: number): Pixels => ({ px: value, power: 1 });
@@ -108,4 +113,8 @@ export const level = (row: Omit<LevelRow, 'kind'>): LevelRow => ({ kind: 'level'
 export const doors = (row: Omit<DoorsRow, 'kind'>): DoorsRow => ({ kind: 'doors', ...row });
 export const classes = (row: Omit<ClassesRow, 'kind'>): ClassesRow => ({ kind: 'classes', ...row });
 export const crop = (row: Omit<CropRow, 'kind'>): CropRow => ({ kind: 'crop', ...row });
+export const roomNames = (row: Omit<RoomNamesRow, 'kind'>): RoomNamesRow => ({
+  kind: 'room-names',
+  ...row,
+});
 export const text = (row: Omit<TextRow, 'kind'>): TextRow => ({ kind: 'text', ...row });

@@ -6,6 +6,7 @@ import { EXTENT } from './frame/judge-unit.ts';
 import { areaOf } from './geometry/areas.ts';
 import { perimeter } from './geometry/rings.ts';
 import { storeyRange } from './level.ts';
+import { nameRooms } from './name-rooms.ts';
 import type { Options } from './params.ts';
 import { doorOutlines, placeDoors } from './place-doors.ts';
 import { fillsInside, penReach, strokeContour } from './plan-walls.ts';
@@ -53,7 +54,8 @@ export function makePlan(parts: PlanParts, context: Pick<StageContext, 'warn' | 
     building.length > 0
       ? building.map((storey, index) => storeyOfRooms(storey, index, parts, context))
       : [storeyOfOutlines(parts, context)];
-  return { version: 1, source, frame: cloud.frame, options, storeys, warnings: [] };
+  const plan: FloorPlan = { version: 1, source, frame: cloud.frame, options, storeys, warnings: [] };
+  return { ...plan, storeys: nameRooms(plan, context.warn) };
 }
 
 /** A storey of rooms, with the doors a person asked for in the lowest. */

@@ -1,7 +1,8 @@
+import { parseClasses } from '../core/classes.ts';
+import { CROP_FORM, formatCrop, parseCrop } from '../core/crop-box.ts';
 import type { ParamRow, TextRow } from '../core/param-rows.ts';
 import { type GivenValues, PARAMS, type ParamName } from '../core/params.ts';
-import { classesField } from './classes-field.ts';
-import { cropField } from './crop/crop-field.ts';
+import { formatRoomNames, parseRoomNames, ROOM_NAME_WORDS } from '../core/room-names.ts';
 import { doorsField } from './doors/doors-field.ts';
 import type { Field, FieldFacts } from './field.ts';
 import { icon } from './icon.ts';
@@ -9,8 +10,8 @@ import { listField } from './list-field.ts';
 import { make, setAttribute, setText } from './make.ts';
 import type { Actions, Model, Panel } from './model.ts';
 import { numberField } from './number-field.ts';
+import { type ParsedText, parsedField, withTool } from './parsed-field.ts';
 import { sayChoice } from './plain-words.ts';
-import { makeInvitation } from './tools.ts';
 
 /** Why a value that was found for the scan is what it is, beside the control that changes it. */
 const REASONS: Readonly<Partial<Record<ParamName, (model: Model) => string | undefined>>> = {
@@ -21,7 +22,26 @@ const REASONS: Readonly<Partial<Record<ParamName, (model: Model) => string | und
 /** A unit named by hand ends a scale set by hand, which would count for more. */
 const TAKES_PLACE_OF: Readonly<Partial<Record<ParamName, object>>> = { unit: { metresPerUnit: undefined } };
 
-/** The control of a parameter, made from its row: number, auto-number, flag, choice, choice-list, doors, classes, crop, text. */
+const CLASSES: ParsedText = {
+  placeholder: 'all',
+  empty: 'all',
+  parse(text) {
+    parseClasses(text);
+    return text;
+  },
+};
+const CROP: ParsedText = {
+  placeholder: CROP_FORM,
+  empty: 'none',
+  parse: (text) => formatCrop(parseCrop(text)),
+};
+const ROOM_NAMES: ParsedText = {
+  placeholder: `${ROOM_NAME_WORDS};…`,
+  empty: 'none',
+  parse: (text) => formatRoomNames(parseRoomNames(text)),
+};
+
+/** The control of a parameter, made from its row: number, auto-number, flag, choice, choice-list, doors, classes, crop, room-names, text. */
 export function makeControl(name: ParamName, actions: Actions): Panel {
   const row: ParamRow = PARAMS[name];
   const id = `param-${name}`;
@@ -67,7 +87,7 @@ function makeField(facts: FieldFacts, actions: Actions): Field {
     case 'number':
     case 'auto-number': {
       const field = numberField(facts, facts.row);
-      return facts.name === 'metresPerUnit' ? withMeasuring(field, actions) : field;
+      return facts.name === 'metresPerUnit' ? withTool(field, 'measure', actions) : field;
     }
     case 'flag':
       return flagField(facts);
@@ -78,22 +98,16 @@ function makeField(facts: FieldFacts, actions: Actions): Field {
     case 'doors':
       return doorsField(facts, actions);
     case 'classes':
-      return classesField(facts);
+      return parsedField(facts, CLASSES);
     case 'crop':
-      return cropField(facts, actions);
+      return withTool(parsedField(facts, CROP), 'crop', actions);
+    case 'room-names':
+      return withTool(parsedField(facts, ROOM_NAMES), 'names', actions);
     case 'text':
       return textField(facts, facts.row);
     case 'level':
       throw new TypeError('The level has a picker of its own.');
   }
-}
-
-/** The scale by hand, and the way to the tool that finds it. */
-function withMeasuring(field: Field, actions: Actions): Field {
-  return {
-    ...field,
-    node: make('div', { class: 'with-tool' }, field.node, makeInvitation('measure', actions)),
-  };
 }
 
 function flagField({ id, change }: FieldFacts): Field {

@@ -10,7 +10,7 @@ import type { Actions, Model } from './model.ts';
 import { OpenedFiles } from './opened-files.ts';
 import { PlaceKeeper } from './place-keeper.ts';
 import { PlanMaker } from './plan-maker.ts';
-import { fileOf, type ScanSource } from './scan-source.ts';
+import { fileOf, type ScanSource, scanKey } from './scan-source.ts';
 import { SheetChoice } from './sheet-choice.ts';
 import { Shell } from './shell.ts';
 import { pressKey } from './shortcuts.ts';
@@ -36,10 +36,14 @@ export class FloorPlanElement extends Base {
   readonly #maker = new PlanMaker({
     onChange: () => this.#invalidate(),
     onScan: () => {
+      this.#given.enter(scanKey(this.#maker.scan!));
       this.#sheet.showStorey(0);
       this.#places.forget();
     },
-    onView: (view) => this.#places.learn({ frame: view.plan.frame, isSlice: view.isSlice }, view.options),
+    onView: ({ plan, options, isSlice, isSavedPlan }) => {
+      const isFixed = isSlice || isSavedPlan;
+      this.#places.learn({ frame: plan.frame, isFixed, storeys: plan.storeys.length }, options);
+    },
     onPreview: (positions) => this.#shell?.preview(positions),
     spawnWorker: () => this.#spawnWorker,
     emit: (type, detail) => this.dispatchEvent(new CustomEvent(type, { detail })),
@@ -141,7 +145,7 @@ export class FloorPlanElement extends Base {
     clearTimeout(this.#rest);
     const sources = Array.isArray(source) ? (source as readonly ScanSource[]) : [source as ScanSource];
     this.#files.take(this.#filesOf(sources));
-    return this.#maker.load(this.#files.chosen, this.#given.now);
+    return this.#read();
   }
 
   /** Stops the run; the last plan stays. */
@@ -172,7 +176,7 @@ export class FloorPlanElement extends Base {
       open: (files) => void this.load(files).catch(ignore),
       pickFile: (index) => {
         this.#files.pick(index);
-        this.#maker.load(this.#files.chosen, this.#given.now).catch(ignore);
+        this.#read().catch(ignore);
       },
       cancel: () => this.cancel(),
       change: (change, isFinal) => {
@@ -239,7 +243,14 @@ export class FloorPlanElement extends Base {
   }
 
   #restart(): void {
-    if (this.isConnected && this.#shell) this.#maker.update(this.#given.now).catch(ignore);
+    const { scan } = this.#maker;
+    if (this.isConnected && this.#shell && scan)
+      this.#maker.update(this.#given.of(scanKey(scan))).catch(ignore);
+  }
+
+  #read(): Promise<FloorPlan> {
+    const { chosen } = this.#files;
+    return this.#maker.load(chosen, this.#given.of(scanKey(chosen)));
   }
 
   /** A wrong address never gets to a run, so it is told of here. */

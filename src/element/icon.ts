@@ -18,6 +18,7 @@ import reset from 'lucide-static/icons/rotate-ccw.svg?raw';
 import ruler from 'lucide-static/icons/ruler.svg?raw';
 import samples from 'lucide-static/icons/shapes.svg?raw';
 import light from 'lucide-static/icons/sun.svg?raw';
+import tag from 'lucide-static/icons/tag.svg?raw';
 import warning from 'lucide-static/icons/triangle-alert.svg?raw';
 import undo from 'lucide-static/icons/undo-2.svg?raw';
 import close from 'lucide-static/icons/x.svg?raw';
@@ -44,6 +45,7 @@ const SOURCES = {
   samples,
   spinner,
   system,
+  tag,
   undo,
   warning,
 } as const;

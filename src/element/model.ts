@@ -47,8 +47,8 @@ export interface Model {
   readonly marked: Stretch | null;
 }
 
-/** Cuts doors, measures a known length, draws the crop box. */
-export type Tool = 'doors' | 'measure' | 'crop';
+/** Cuts doors, names rooms, measures a known length, draws the crop box. */
+export type Tool = 'doors' | 'names' | 'measure' | 'crop';
 
 /** Files opened together. */
 export interface FilesShown {

@@ -2,8 +2,10 @@ import { formatCrop, parseCrop } from '../core/crop-box.ts';
 import { formatDoors, isDoorSize, parseDoors } from '../core/doors.ts';
 import { statedUnit } from '../core/frame/judge-unit.ts';
 import { resolveOptions } from '../core/options.ts';
-import type { GivenValues } from '../core/params.ts';
+import { type GivenValues, kebabCase } from '../core/params.ts';
+import { formatRoomNames, parseRoomNames } from '../core/room-names.ts';
 import type { Axis, Frame, Warning } from '../core/types.ts';
+import type { PLACED } from './given-options.ts';
 
 /** A door's size is written to the millimetre. */
 const SIZE_DIGITS = 3;
@@ -11,21 +13,24 @@ const SIZE_DIGITS = 3;
 /** What a run tells of the scan. */
 export interface FrameFound {
   readonly frame: Pick<Frame, 'up' | 'metresPerUnit'>;
-  /** A ready slice lies in the plan frame, whatever is up. */
-  readonly isSlice: boolean;
+  /** Lies in the plan frame, whatever is up: a ready slice, a plan without its scan. */
+  readonly isFixed: boolean;
+  readonly storeys: number;
 }
 
 /**
- * Keeps crop box and doors at their places in the building when a person changes what is up or how long a unit is.
+ * Keeps crop box, doors and names of rooms at their places in the building when a person changes what is up or how long a
+ * unit is.
  *
- * Both are said in the plan's axes and the source's units. Another unit leaves them there, only the doors' sizes, which
- * are metres, grow with the plan. A scan turned over has the same plan mirrored, and they are mirrored with it. Seen
- * along another axis it is another drawing, where they have no place: they are dropped, with a notice.
+ * They are said in the plan's axes and the source's units. Another unit leaves them there, only the doors' sizes, which
+ * are metres, grow with the plan. A scan turned over has the same plan mirrored, its highest storey the lowest, and they are
+ * mirrored with it. Seen along another axis it is another drawing, where they have no place: they are dropped, with a notice.
  */
 export class PlaceKeeper {
   #autoUp: Axis | null = null;
   #autoScale: number | null = null;
-  #isSlice = false;
+  #isFixed = false;
+  #storeys = 1;
   #notices: readonly Warning[] = [];
 
   /** What the last change has dropped. */
@@ -34,8 +39,9 @@ export class PlaceKeeper {
   }
 
   /** Takes what a run found where it had to. @param given what the run was started with */
-  learn({ frame, isSlice }: FrameFound, given: GivenValues): void {
-    this.#isSlice = isSlice;
+  learn({ frame, isFixed, storeys }: FrameFound, given: GivenValues): void {
+    this.#isFixed = isFixed;
+    this.#storeys = storeys;
     if (isAuto(given.up)) this.#autoUp = frame.up;
     if (isAuto(given.unit) && isAuto(given.metresPerUnit)) this.#autoScale = frame.metresPerUnit;
   }
@@ -44,7 +50,7 @@ export class PlaceKeeper {
   forget(): void {
     this.#autoUp = null;
     this.#autoScale = null;
-    this.#isSlice = false;
+    this.#isFixed = false;
     this.#notices = [];
   }
 
@@ -59,9 +65,10 @@ export class PlaceKeeper {
     const ups = [this.#upOf(before), this.#upOf(next)] as const;
     const growth = this.#scaleOf(next) / this.#scaleOf(before);
     const carried = { ...next };
-    const isOld = (name: 'crop' | 'doors') => next[name] !== undefined && next[name] === before[name];
+    const isOld = (name: Placed) => next[name] !== undefined && next[name] === before[name];
     if (isOld('crop')) carried.crop = this.#carryCrop(next.crop!, ups);
     if (isOld('doors')) carried.doors = this.#carryDoors(next.doors!, ups, growth);
+    if (isOld('roomNames')) carried.roomNames = this.#carryNames(next.roomNames!, ups);
     return carried;
   }
 
@@ -92,23 +99,37 @@ export class PlaceKeeper {
     return formatDoors({ gaps, cuts: carried });
   }
 
-  #drop(name: 'crop' | 'doors', [before, next]: Ups): 'none' {
-    const subject = name === 'crop' ? 'The crop box was' : 'The doors cut by hand were';
+  #carryNames(text: string, ups: Ups): string {
+    const names = parseRoomNames(text);
+    const turn = turnBetween(ups);
+    if (names.length === 0 || turn === 'none') return text;
+    if (turn === 'other') return this.#drop('roomNames', ups);
+    const highest = this.#storeys - 1;
+    return formatRoomNames(
+      names.map(({ x, y, storey, name }) => ({
+        ...{ x, y: 0 - y, name },
+        // A storey that is not there stays so.
+        storey: storey > highest ? storey : highest - storey,
+      })),
+    );
+  }
+
+  #drop(name: Placed, [before, next]: Ups): 'none' {
     const found = next === null ? 'another axis may be' : `${next} is`;
     this.#notices = [
       ...this.#notices,
       {
-        code: `frame/${name}-dropped`,
-        message: `${subject} taken away: placed in the plan with ${before} up, and now ${found}.`,
+        code: `frame/${kebabCase(name)}-dropped`,
+        message: `${DROPPED[name]} taken away: placed in the plan with ${before} up, and now ${found}.`,
         hint: 'Undo brings back the plan before with all that was in it.',
       },
     ];
     return 'none';
   }
 
-  /** Null where it is not known before the run; a ready slice always has z up. */
+  /** Null where it is not known before the run; what is fixed always has z up. */
   #upOf({ up }: GivenValues): Axis | null {
-    if (this.#isSlice) return 'z';
+    if (this.#isFixed) return 'z';
     return up === undefined || up === 'auto' ? this.#autoUp : up;
   }
 
@@ -117,6 +138,14 @@ export class PlaceKeeper {
     return statedUnit({}, resolveOptions(given))?.metresPerUnit ?? this.#autoScale ?? Number.NaN;
   }
 }
+
+type Placed = (typeof PLACED)[number];
+
+const DROPPED: Readonly<Record<Placed, string>> = {
+  crop: 'The crop box was',
+  doors: 'The doors cut by hand were',
+  roomNames: 'The names of rooms were',
+};
 
 type Ups = readonly [before: Axis | null, next: Axis | null];
 

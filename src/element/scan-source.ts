@@ -17,3 +17,8 @@ export function fileOf(source: ScanSource): ScanFile {
     hint: 'Give a URL, absolute or relative to the page.',
   });
 }
+
+/** Tells a scan from others: the same files at the same places, or of the same names and sizes. */
+export function scanKey(files: readonly ScanFile[]): string {
+  return files.map(({ data, name }) => (typeof data === 'string' ? data : `${name} ${data.size}`)).join('\n');
+}

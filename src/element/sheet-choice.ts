@@ -3,6 +3,7 @@ import type { Model, Tool } from './model.ts';
 import type { PlanMaker } from './plan-maker.ts';
 import { StepChoice } from './step-choice.ts';
 import type { Stretch } from './stretch.ts';
+import { TOOLS } from './tools.ts';
 
 export interface SheetChoiceEvents {
   /** Something that is shown has changed. */
@@ -70,7 +71,8 @@ export class SheetChoice {
   }
 
   takeTool(tool: Tool | null): void {
-    this.#tool = this.#maker.view ? tool : null;
+    const { view } = this.#maker;
+    this.#tool = tool && view && TOOLS[tool].lacks(view) === null ? tool : null;
     if (this.#tool) {
       this.#steps.open(null);
       this.#events.onShow();

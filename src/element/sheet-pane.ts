@@ -7,10 +7,11 @@ import { icon } from './icon.ts';
 import { make, setAttribute, setText } from './make.ts';
 import { MeasureTool } from './measure/measure-tool.ts';
 import type { Actions, Model, Tool } from './model.ts';
+import { NameTool } from './names/name-tool.ts';
 import type { PlanTool } from './plan-tool.ts';
 import type { StepsPane } from './steps/steps-pane.ts';
 import { makeSwitch } from './switch.ts';
-import { TOOLS } from './tools.ts';
+import { TOOL_NAMES, TOOLS } from './tools.ts';
 
 const NOTHING = new Float64Array();
 
@@ -69,13 +70,16 @@ export class SheetPane {
   constructor(actions: Actions) {
     this.#actions = actions;
     const redraw = () => this.#mark();
+    this.#points.classList.add('points-chip');
     this.#tools = {
       doors: new DoorTool(actions, redraw),
+      names: new NameTool(actions, redraw),
       measure: new MeasureTool(actions, redraw),
       crop: new CropTool(actions, redraw),
     };
     this.#chips = {
       doors: this.#toolChip('doors'),
+      names: this.#toolChip('names'),
       measure: this.#toolChip('measure'),
       crop: this.#toolChip('crop'),
     };
@@ -124,8 +128,10 @@ export class SheetPane {
     this.#points.hidden = isStepping || view?.isSavedPlan === true;
     // Beside the tools a narrow pane has no room for them.
     this.#zooms.classList.toggle('may-float', !isStepping);
-    for (const [tool, chip] of Object.entries(this.#chips)) {
-      chip.hidden = isStepping || !view || (view.isSavedPlan && needsScan(tool));
+    for (const tool of TOOL_NAMES) {
+      const chip = this.#chips[tool];
+      const isTaken = view !== null && (model.tool === tool || TOOLS[tool].lacks(view) === null);
+      chip.hidden = isStepping || !isTaken;
       setAttribute(chip, 'aria-pressed', String(model.tool === tool));
     }
     this.#compare.hidden = !isStepping || steps.of === 'failed' || view?.isSavedPlan === true;
@@ -263,9 +269,4 @@ export class SheetPane {
       setAttribute(button, 'aria-pressed', String(storey === chosen));
     }
   }
-}
-
-/** Doors and crop are cut before the plan is made. */
-function needsScan(tool: string): boolean {
-  return tool !== 'measure';
 }

@@ -1,6 +1,7 @@
+import type { PlanView } from '../worker/protocol.ts';
 import { type IconName, icon } from './icon.ts';
-import { make } from './make.ts';
-import type { Actions, Tool } from './model.ts';
+import { make, setAttribute } from './make.ts';
+import type { Actions, Panel, Tool } from './model.ts';
 
 interface ToolRow {
   readonly symbol: IconName;
@@ -12,7 +13,13 @@ interface ToolRow {
   readonly testid: string;
   /** From a field of the steps to the tool. */
   readonly invitation: string;
+  /** Why a plan does not take it; null where it does. */
+  lacks(view: Pick<PlanView, 'plan' | 'isSavedPlan'>): string | null;
 }
+
+const DECIDED = 'A plan was opened without its scan: this was decided when it was made.';
+/** Doors and crop are cut before the plan is made. */
+const lacksScan: ToolRow['lacks'] = ({ isSavedPlan }) => (isSavedPlan ? DECIDED : null);
 
 /** What a pointer can do in the drawing: chips, keys and the ways there from the steps. */
 export const TOOLS: Readonly<Record<Tool, ToolRow>> = {
@@ -23,6 +30,19 @@ export const TOOLS: Readonly<Record<Tool, ToolRow>> = {
     key: 'D',
     testid: 'cut-doors',
     invitation: 'Cut in the drawing',
+    lacks: lacksScan,
+  },
+  names: {
+    symbol: 'tag',
+    label: 'Name rooms',
+    words: 'Name rooms in the drawing',
+    key: 'N',
+    testid: 'name-rooms',
+    invitation: 'Name in the drawing',
+    lacks: ({ plan }) =>
+      plan.storeys.some(({ rooms }) => rooms.length > 0)
+        ? null
+        : 'This plan is one of outlines: there are no rooms to name.',
   },
   measure: {
     symbol: 'ruler',
@@ -31,6 +51,7 @@ export const TOOLS: Readonly<Record<Tool, ToolRow>> = {
     key: 'M',
     testid: 'measure',
     invitation: 'Measure a known length',
+    lacks: () => null,
   },
   crop: {
     symbol: 'crop',
@@ -39,15 +60,16 @@ export const TOOLS: Readonly<Record<Tool, ToolRow>> = {
     key: 'C',
     testid: 'crop',
     invitation: 'Draw in the plan',
+    lacks: lacksScan,
   },
 };
 
 export const TOOL_NAMES = Object.keys(TOOLS) as readonly Tool[];
 
-/** The way from a field of the steps to a tool in the drawing. */
-export function makeInvitation(tool: Tool, actions: Actions): HTMLButtonElement {
-  const { symbol, invitation } = TOOLS[tool];
-  return make(
+/** The way from a field of the steps to a tool in the drawing; where the plan does not take the tool, it says why. */
+export function makeInvitation(tool: Tool, actions: Actions): Panel {
+  const { symbol, invitation, lacks } = TOOLS[tool];
+  const node = make(
     'button',
     {
       type: 'button',
@@ -58,4 +80,12 @@ export function makeInvitation(tool: Tool, actions: Actions): HTMLButtonElement 
     icon(symbol),
     invitation,
   );
+  return {
+    node,
+    show({ view }) {
+      const why = view && lacks(view);
+      node.disabled = why !== null;
+      setAttribute(node, 'title', why);
+    },
+  };
 }

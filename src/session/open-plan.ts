@@ -1,6 +1,8 @@
 import { FloorPlanError } from '../core/errors.ts';
+import { nameRooms } from '../core/name-rooms.ts';
 import { resolveOptions } from '../core/options.ts';
 import { type GivenValues, type Options, PARAM_NAMES, PARAMS, type ParamName } from '../core/params.ts';
+import { formatRoomNames, parseRoomNames, type RoomName } from '../core/room-names.ts';
 import { STAGE_NAMES } from '../core/stages.ts';
 import type { FloorPlan, Warning } from '../core/types.ts';
 import { isArchive, openArchive } from '../read/archive/open-archive.ts';
@@ -36,8 +38,8 @@ export async function readPlanFile(sources: readonly ByteSource[]): Promise<Floo
 }
 
 /**
- * Lays over a plan what was given: parameters of the stages after it, and the height of its walls. All else was decided
- * with the points at hand.
+ * Lays over a plan what was given: parameters of the stages after it, the height of its walls and names of its rooms. All else
+ * was decided with the points at hand.
  *
  * @throws option/unknown, option/invalid
  */
@@ -46,19 +48,36 @@ export function openPlan(read: FloorPlan, given: GivenValues): OpenedPlan {
   const asked = resolveOptions(given);
   const names = PARAM_NAMES.filter((name) => given[name] !== undefined);
   const counting = names.filter(countsWithoutPoints);
-  const changes = Object.fromEntries(counting.map((name) => [name, asked[name]]));
-  const options = resolveOptions({ ...read.options, ...changes });
-  const { wallHeight } = changes as Partial<Options>;
-  const storeys =
-    typeof wallHeight === 'number'
-      ? read.storeys.map((storey) => ({ ...storey, height: wallHeight }))
-      : read.storeys;
+  const changes: Partial<Options> = Object.fromEntries(counting.map((name) => [name, asked[name]]));
+  const roomNames = changes.roomNames && withNames(read.options.roomNames, changes.roomNames);
+  const options = resolveOptions({ ...read.options, ...changes, ...(roomNames && { roomNames }) });
   const lost = names.filter((name) => !countsWithoutPoints(name) && !isSaid(name, read.options, asked));
-  return { plan: { ...read, options, storeys }, options, warnings: lost.length > 0 ? [needScan(lost)] : [] };
+  const plan = changed({ ...read, options }, changes);
+  return { plan, options, warnings: lost.length > 0 ? [needScan(lost)] : [] };
+}
+
+/** Names that were given before, and after them those given now. */
+function withNames(before: string, now: string): string {
+  const names = parseRoomNames(now);
+  const isOther = (old: RoomName) =>
+    names.every(({ x, y, storey }) => x !== old.x || y !== old.y || storey !== old.storey);
+  return formatRoomNames([...parseRoomNames(before).filter(isOther), ...names]);
+}
+
+/** With the walls as high and the rooms called as was given now. */
+function changed(plan: FloorPlan, { wallHeight, roomNames }: Partial<Options>): FloorPlan {
+  const isHigh = typeof wallHeight === 'number';
+  const storeys = isHigh ? plan.storeys.map((storey) => ({ ...storey, height: wallHeight })) : plan.storeys;
+  if (roomNames === undefined) return { ...plan, storeys };
+  // A name that found no room before may be given again.
+  const warnings = new Map(plan.warnings.map((warning) => [warning.message, warning]));
+  const options = { ...plan.options, roomNames };
+  const named = nameRooms({ ...plan, storeys, options }, (warning) => warnings.set(warning.message, warning));
+  return { ...plan, storeys: named, warnings: [...warnings.values()] };
 }
 
 function countsWithoutPoints(name: ParamName): boolean {
-  if (name === 'wallHeight') return true;
+  if (name === 'wallHeight' || name === 'roomNames') return true;
   return STAGE_NAMES.indexOf(PARAMS[name].stage) > STAGE_NAMES.indexOf('plan');
 }
 

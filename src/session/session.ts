@@ -192,7 +192,7 @@ async function takePlan(saved: FloorPlan, given: GivenValues, run: PipelineRun):
     'plan',
     opened.options,
     ({ warn }) => {
-      for (const warning of saved.warnings) warn(warning);
+      for (const warning of opened.plan.warnings) warn(warning);
       return opened.plan;
     },
     () => 'as it was saved',

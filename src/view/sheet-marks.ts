@@ -1,4 +1,4 @@
-import type { Vec2 } from '../core/types.ts';
+import type { Ring, Vec2 } from '../core/types.ts';
 import type { Placement } from './pan-zoom.ts';
 import type { SheetTransform } from './parse-drawing.ts';
 
@@ -35,8 +35,15 @@ export interface BoxMark {
   readonly handles: readonly Vec2[];
 }
 
+/** An area; a chosen one stands out of those a pointer passes. */
+export interface AreaMark {
+  readonly kind: 'area';
+  readonly rings: readonly Ring[];
+  readonly isChosen: boolean;
+}
+
 /** Something marked on the drawing; plan metres. */
-export type SheetMark = StretchMark | LengthMark | SpotMark | BoxMark;
+export type SheetMark = StretchMark | LengthMark | SpotMark | BoxMark | AreaMark;
 
 /** A place on the screen, px. */
 type Pixel = Vec2;
@@ -92,6 +99,11 @@ function shapesOf(mark: SheetMark, place: (at: Vec2) => Pixel, pixelsPerMetre: n
     }
     case 'box':
       return boxShapes(mark, place);
+    case 'area': {
+      const kind = mark.isChosen ? 'mark mark-area is-chosen' : 'mark mark-area';
+      const d = mark.rings.map((ring) => closedPath(cornersOf(ring), place)).join('');
+      return [shape('path', { class: kind, d, 'fill-rule': 'evenodd' })];
+    }
     default: {
       const half = (mark.thickness * pixelsPerMetre) / 2;
       const points = boxAround(place(mark.from), place(mark.to), half);
@@ -125,7 +137,7 @@ function lengthShapes(from: Pixel, to: Pixel, words: string): SVGElement[] {
 }
 
 function boxShapes({ corners, handles }: BoxMark, place: (at: Vec2) => Pixel): SVGElement[] {
-  const ring = `M${corners.map((corner) => pair(...place(corner))).join('L')}Z`;
+  const ring = closedPath(corners, place);
   const veil = `M${-FAR},${-FAR}H${FAR}V${FAR}H${-FAR}Z${ring}`;
   return [
     shape('path', { class: 'mark-veil', d: veil, 'fill-rule': 'evenodd' }),
@@ -142,6 +154,14 @@ function boxShapes({ corners, handles }: BoxMark, place: (at: Vec2) => Pixel): S
       });
     }),
   ];
+}
+
+function closedPath(corners: readonly Vec2[], place: (at: Vec2) => Pixel): string {
+  return `M${corners.map((corner) => pair(...place(corner))).join('L')}Z`;
+}
+
+function cornersOf(ring: Ring): Vec2[] {
+  return Array.from({ length: ring.length / 2 }, (_, i) => [ring[2 * i], ring[2 * i + 1]]);
 }
 
 /** The box along a stretch, `half` px and the rim to both sides. */

@@ -75,6 +75,7 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   wallSide: { on: 'scan', from: OUTLINE, to: { wallSide: 'centre' } },
   wallHeight: { on: 'scan', to: { wallHeight: 1 } },
   doors: { on: 'slice', to: { doors: '300,60,0.9' } },
+  roomNames: { on: 'scan', to: { roomNames: '1,1=Kitchen' } },
   floorSlab: { on: 'scan', to: { floorSlab: false } },
   ceilingSlab: { on: 'scan', to: { ceilingSlab: true } },
   slabThickness: { on: 'scan', to: { slabThickness: 0.5 } },

@@ -1,6 +1,7 @@
 import { withArcs } from '../geometry/ring-arcs.ts';
 import { centroid, perimeter } from '../geometry/rings.ts';
 import { medianOf } from '../robust-scale.ts';
+import { automaticName } from '../room-names.ts';
 import type {
   Furniture,
   Gap,
@@ -85,7 +86,7 @@ export function planStorey(
   const byRoom = outlines.map((_, i) => unseen.filter((_, e) => edges[e].owner === i).flat());
   const tall = roomHeights(cloud, columns, outlines);
   const rooms = outlines.map((outline, i) => ({
-    name: `Room ${i + 1}`,
+    name: automaticName(i),
     outline,
     height: tall[i],
     confidence: seenShare(outline, byRoom[i]),
@@ -106,7 +107,7 @@ export function planStorey(
     ]),
     outer,
     secondary,
-    unseen: byRoom.flatMap((gaps, i) => gaps.map((gap) => ({ ...gap, room: `Room ${i + 1}` }))),
+    unseen: byRoom.flatMap((gaps, i) => gaps.map((gap) => ({ ...gap, room: automaticName(i) }))),
     ...(hasFurniture && { furniture: findFurniture({ cloud, columns, ceiling, noise, rooms, secondary }) }),
   };
 }

@@ -1,4 +1,4 @@
-import { autoNumber, choice, doors, flag, number, type ParamRow, px } from '../param-rows.ts';
+import { autoNumber, choice, doors, flag, number, type ParamRow, px, roomNames } from '../param-rows.ts';
 
 /** What walls, doors and slabs are made of the outlines. Lengths in metres. */
 export const MODEL_PARAMS = {
@@ -55,6 +55,13 @@ export const MODEL_PARAMS = {
     label: 'Doors',
     doc: 'Doors cut out of the walls: gaps takes every bridged gap 0.6 to 3 m wide; x,y,width[,height] cuts one at the wall nearest that place (source coordinates; width and height in metres, or with a unit as in 90cm); both join by semicolons.',
     source: '[Stojanovic19] §3',
+  }),
+  roomNames: roomNames({
+    default: 'none',
+    stage: 'plan',
+    label: 'Room names',
+    doc: 'Names of rooms: x,y[,storey]=Name calls the room at that place so (source coordinates, as in plan.geojson; storey 0 is the lowest, and meant where none is given); several join by semicolons, and a semicolon in a name is doubled.',
+    source: 'ours',
   }),
   floorSlab: flag({
     default: true,

@@ -25,7 +25,8 @@ export function doorsField({ id, row, change }: FieldFacts, actions: Actions): F
   };
   const label = make('label', { class: 'auto' }, gaps, 'Cut all gaps');
   const list = makeDoorList(actions);
-  const line = make('div', { class: 'doors-line' }, label, makeInvitation('doors', actions));
+  const invitation = makeInvitation('doors', actions);
+  const line = make('div', { class: 'doors-line' }, label, invitation.node);
   const node = make(
     'div',
     { class: 'doors-field', role: 'group', 'aria-label': row.label },
@@ -40,6 +41,7 @@ export function doorsField({ id, row, change }: FieldFacts, actions: Actions): F
       gaps.checked = doors.gaps;
       pixelsPerMetre = model.options.pixelsPerMetre;
       list.show(model);
+      invitation.show(model);
       // Text under the hand is not overwritten.
       if (cuts.matches(':focus')) return;
       cuts.removeAttribute('aria-invalid');

@@ -1,5 +1,7 @@
+import { roomOfGap } from '../../core/find-room.ts';
 import { areaOf, combine } from '../../core/geometry/areas.ts';
 import { boundsOf, perimeter, ringsOf } from '../../core/geometry/rings.ts';
+import { automaticName } from '../../core/room-names.ts';
 import type { Room, Storey } from '../../core/types.ts';
 import type { IfcModel } from './ifc-model.ts';
 import { asBoolean, asIdentifier, asLength, asRatio } from './ifc-properties.ts';
@@ -15,12 +17,13 @@ export function addSpaces({ model, storey, place, openings }: StoreyModel): Ref[
   return storey.rooms.map((room, i) => {
     const space = model.thing(
       'IFCSPACE',
-      { role: 'space', content: `${storey.index} ${room.name}`, name: room.name },
+      // Called otherwise, it stays the same space.
+      { role: 'space', content: `${storey.index} ${automaticName(i)}`, name: room.name },
       ...[model.shapes.place(place), model.shapes.prisms(filePolygons(room.outline), room.height, 'space')],
       ...[label(room.name), '.ELEMENT.', '.INTERNAL.', OMITTED],
     );
     measureSpace(model, space, { room, storey, doorways: doorways[i] });
-    const unseen = storey.gaps.filter((gap) => gap.room === room.name);
+    const unseen = storey.gaps.filter((gap) => roomOfGap(storey.rooms, gap) === i);
     model.properties.properties(space, 'Pset_SpaceCommon', [
       ['Reference', asIdentifier(room.name)],
       ['IsExternal', asBoolean(false)],

@@ -1,3 +1,4 @@
+import { roomOfFurniture } from '../../core/find-room.ts';
 import { areaOf } from '../../core/geometry/areas.ts';
 import type { Furniture, SecondaryBoundary } from '../../core/types.ts';
 import { asLabel, asRatio } from './ifc-properties.ts';
@@ -65,7 +66,7 @@ export function addFurniture({ model, storey, place }: StoreyModel, spaces: read
       ],
     );
     model.properties.properties(ref, EVIDENCE, [['Confidence', asRatio(thing.confidence)]]);
-    const room = storey.rooms.findIndex(({ name }) => name === thing.room);
+    const room = roomOfFurniture(storey.rooms, thing);
     (inRooms[room] ?? left).push(ref);
   });
   inRooms.forEach((things, i) => {

@@ -2,6 +2,7 @@ import { areaOf, combine } from '../../core/geometry/areas.ts';
 import { type Bounds, boundsMeet, boundsOf, ringsOf } from '../../core/geometry/rings.ts';
 import { type Affine, mapped, type SheetItem, type SheetText, TEXT_SIZES } from '../../core/sheet.ts';
 import type { Ring, Storey } from '../../core/types.ts';
+import { isolated } from './isolated.ts';
 import { labelPoint } from './label-point.ts';
 import { type DisplayUnit, formatArea } from './measure-words.ts';
 import { shorten, textWidth } from './text-width.ts';
@@ -71,7 +72,8 @@ export function placeLabels({ storey, planToSheet, unit, extent }: LabelFacts): 
         if (placed !== null) return [placed];
       }
     }
-    const led = leadOut(spaces[0].middle, lines.join(', '), extent, ledOut);
+    const line = title === '' ? words : `${isolated(title)}, ${words}`;
+    const led = leadOut(spaces[0].middle, line, extent, ledOut);
     ledOut.push(led);
     return [led];
   });

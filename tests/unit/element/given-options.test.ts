@@ -25,6 +25,27 @@ it('a preset takes the place of all but what was said of the scan, as one step',
   expect(given.now).toEqual({ unit: 'cm', up: 'y', wallThickness: 0.4, boundary: 'convex' });
 });
 
+it('rooms named by hand are those of the scan they were named in', () => {
+  const given = new GivenOptions();
+  given.enter('home.ply');
+  given.change({ roomNames: '1,1=Hall', unit: 'cm' }, true);
+  given.takePreset('building');
+  expect(given.of('home.ply')).toEqual({ roomNames: '1,1=Hall', unit: 'cm', preset: 'building' });
+  expect(given.of('shop.ply')).toEqual({ unit: 'cm', preset: 'building' });
+  given.enter('home.ply');
+  expect(given.now.roomNames).toBe('1,1=Hall');
+  given.enter('shop.ply');
+  expect(given.now).toEqual({ unit: 'cm', preset: 'building' });
+});
+
+it('names that a page gives are for whatever scan comes', () => {
+  const given = new GivenOptions();
+  given.enter('home.ply');
+  given.replace({ roomNames: '1,1=Hall' });
+  given.enter('shop.ply');
+  expect(given.now).toEqual({ roomNames: '1,1=Hall' });
+});
+
 it('a slide that ends where it began is no step', () => {
   const given = new GivenOptions();
   given.replace({ wallThickness: 0.2 });

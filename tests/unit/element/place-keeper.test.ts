@@ -11,11 +11,12 @@ import { listen, makeScan, roomPoints, tiltMatrix, transform, transpose } from '
 
 const CROP = '1,2,4,3,0.5,2';
 const DOORS = 'gaps;3,2,0.9;5,0.5,1.2,2.1';
-const PLACED: GivenValues = { crop: CROP, doors: DOORS };
+const NAMES = '1,2=Hall;3,4,1=A;; b';
+const PLACED: GivenValues = { crop: CROP, doors: DOORS, roomNames: NAMES };
 
-function keeperOf(up: Axis, { metresPerUnit = 1, isSlice = false } = {}): PlaceKeeper {
+function keeperOf(up: Axis, { metresPerUnit = 1, isFixed = false, storeys = 1 } = {}): PlaceKeeper {
   const keeper = new PlaceKeeper();
-  keeper.learn({ frame: { up, metresPerUnit }, isSlice }, {});
+  keeper.learn({ frame: { up, metresPerUnit }, isFixed, storeys }, {});
   return keeper;
 }
 
@@ -23,7 +24,7 @@ describe('another unit', () => {
   it('leaves the places and lets the doors grow with the plan', () => {
     const keeper = keeperOf('z');
     const carried = keeper.carry(PLACED, { ...PLACED, metresPerUnit: 2 });
-    expect(carried).toEqual({ metresPerUnit: 2, crop: CROP, doors: 'gaps;3,2,1.8;5,0.5,2.4,4.2' });
+    expect(carried).toEqual({ ...PLACED, metresPerUnit: 2, doors: 'gaps;3,2,1.8;5,0.5,2.4,4.2' });
     expect(keeper.notices).toEqual([]);
   });
 
@@ -54,9 +55,12 @@ describe('another unit', () => {
 
 describe('another axis up', () => {
   it('mirrors the places of a scan turned over, and back', () => {
-    const keeper = keeperOf('z');
+    const keeper = keeperOf('z', { storeys: 3 });
     const over = keeper.carry(PLACED, { ...PLACED, up: '-z' });
-    expect(over).toEqual({ up: '-z', crop: '1,-3,4,-2,-2,-0.5', doors: 'gaps;3,-2,0.9;5,-0.5,1.2,2.1' });
+    expect(over).toEqual({
+      ...{ up: '-z', crop: '1,-3,4,-2,-2,-0.5', doors: 'gaps;3,-2,0.9;5,-0.5,1.2,2.1' },
+      roomNames: '1,-2,2=Hall;3,-4,1=A;; b',
+    });
     expect(keeper.carry(over, { ...over, up: 'auto' })).toEqual({ ...PLACED, up: 'auto' });
     expect(keeper.notices).toEqual([]);
   });
@@ -71,8 +75,12 @@ describe('another axis up', () => {
     const given = new GivenOptions((before, next) => keeper.carry(before, next));
     given.change(PLACED, true);
     given.change({ up: 'y' }, true);
-    expect(given.now).toEqual({ up: 'y', crop: 'none', doors: 'gaps' });
-    expect(keeper.notices.map(({ code }) => code)).toEqual(['frame/crop-dropped', 'frame/doors-dropped']);
+    expect(given.now).toEqual({ up: 'y', crop: 'none', doors: 'gaps', roomNames: 'none' });
+    expect(keeper.notices.map(({ code }) => code)).toEqual([
+      'frame/crop-dropped',
+      'frame/doors-dropped',
+      'frame/room-names-dropped',
+    ]);
     expect(keeper.notices[0].message).toContain('with z up, and now y is');
     given.undo();
     expect(given.now).toEqual(PLACED);
@@ -80,20 +88,20 @@ describe('another axis up', () => {
 
   it('drops them where the automatic axis is not known', () => {
     const keeper = new PlaceKeeper();
-    keeper.learn({ frame: { up: 'y', metresPerUnit: 1 }, isSlice: false }, { up: 'y' });
+    keeper.learn({ frame: { up: 'y', metresPerUnit: 1 }, isFixed: false, storeys: 1 }, { up: 'y' });
     const given = new GivenOptions((before, next) => keeper.carry(before, next));
     given.replace({ ...PLACED, up: 'y' });
     given.reset(['up']);
-    expect(given.now).toEqual({ crop: 'none', doors: 'gaps' });
+    expect(given.now).toEqual({ crop: 'none', doors: 'gaps', roomNames: 'none' });
   });
 
-  it('leaves a ready slice, which has no other', () => {
-    const carried = keeperOf('z', { isSlice: true }).carry(PLACED, { ...PLACED, up: 'y' });
+  it('leaves what is fixed, as a ready slice, which has no other', () => {
+    const carried = keeperOf('z', { isFixed: true }).carry(PLACED, { ...PLACED, up: 'y' });
     expect(carried).toEqual({ ...PLACED, up: 'y' });
   });
 
   it('leaves what the change itself places', () => {
-    const next = { up: '-z', crop: '0,0,1,1', doors: 'none' } as const;
+    const next = { up: '-z', crop: '0,0,1,1', doors: 'none', roomNames: '7,7=Bath' } as const;
     expect(keeperOf('z').carry(PLACED, next)).toEqual(next);
   });
 

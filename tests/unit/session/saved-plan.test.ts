@@ -6,11 +6,15 @@ import { homeBuilding } from '../../../fixtures/simulator/layouts.ts';
 import { createStrokeTest } from '../../../src/cli/canvas-stroke.ts';
 import { makeNodeCanvas } from '../../../src/cli/node-canvas.ts';
 import { FloorPlanError } from '../../../src/core/errors.ts';
+import { sourceCoordinates } from '../../../src/core/source-coordinates.ts';
+import type { Polygon } from '../../../src/core/types.ts';
+import type { ByteSource } from '../../../src/read/bytes/source.ts';
 import { makeReport } from '../../../src/session/report.ts';
 import { isOfScan } from '../../../src/session/result.ts';
 import { Session } from '../../../src/session/session.ts';
 import { makeView } from '../../../src/worker/view.ts';
 import { WRITE_FORMAT_NAMES } from '../../../src/write/formats.ts';
+import { labelPoint } from '../../../src/write/sheet/label-point.ts';
 import { memorySource } from '../read/memory-source.ts';
 
 /** Formats that draw what the stages before the plan made. */
@@ -24,7 +28,15 @@ const open = async (text: string | Uint8Array, given = {}, name = 'plan.json') =
   return { session, result: await session.load(memorySource(text, name), given) };
 };
 
+/** A place in a room: source units and coordinates, to the millimetre. */
+function placeIn(outline: Polygon): number[] {
+  const [x, y] = labelPoint(outline);
+  const to = sourceCoordinates(scanned.result!.plan.frame);
+  return [to.x(x), to.y(y)].map((value) => Number(value.toFixed(3)));
+}
+
 let scanned: Session;
+let scanFile: ByteSource;
 let saved = '';
 
 beforeAll(async () => {
@@ -32,7 +44,8 @@ beforeAll(async () => {
   const scan = { voxel: 0.08, raysPerStation: 20_000 };
   const { positions } = simulate({ name: 'home', building: homeBuilding(11, { shape: 'L' }), scan, pose });
   scanned = newSession();
-  await scanned.load(memorySource(writePly({ positions }, { type: 'double' }), 'home.ply'), { unit: 'm' });
+  scanFile = memorySource(writePly({ positions }, { type: 'double' }), 'home.ply');
+  await scanned.load(scanFile, { unit: 'm' });
   saved = (await scanned.write('json'))[0].content as string;
 });
 
@@ -87,6 +100,50 @@ describe('a plan.json opened again', () => {
     const again = await session.update({ floorSlab: false });
     expect(again.plan.storeys[0].height).toBe(scanned.result!.plan.storeys[0].height);
     expect(again.solid.groups.some(({ kind }) => kind === 'floor')).toBe(false);
+  });
+
+  it('takes names of its rooms, and keeps those it came with', async () => {
+    const rooms = scanned.result!.plan.storeys[0].rooms.slice(0, 2).map(({ outline }) => placeIn(outline));
+    const [hall, bath] = rooms.map(([x, y], i) => `${x},${y}=${['Hall', 'Bath 🛁'][i]}`);
+    const { session, result } = await open(saved, { roomNames: `${hall};0,0=Nowhere` });
+    const named = (run: typeof result) => run.plan.storeys[0].rooms.slice(0, 3).map(({ name }) => name);
+    expect(named(result)).toEqual(['Hall', 'Room 2', 'Room 3']);
+    expect(result.warnings.map(({ code }) => code)).toEqual([
+      ...scanned.result!.warnings.map(({ code }) => code),
+      'plan/no-such-room',
+    ]);
+    expect(result.plan.warnings).toEqual(result.warnings);
+    const text = (await session.write('json'))[0].content as string;
+    const again = await open(text);
+    expect(named(again.result)).toEqual(['Hall', 'Room 2', 'Room 3']);
+    expect(again.result.plan.warnings.map(({ code }) => code)).toContain('plan/no-such-room');
+    const other = await again.session.update({ roomNames: bath });
+    expect(named(other)).toEqual(['Hall', 'Bath 🛁', 'Room 3']);
+    // Names given before are given still.
+    expect(other.options.roomNames).toBe(`${hall};0,0=Nowhere;${bath}`);
+    expect(other.plan.warnings).toEqual(result.warnings);
+    const unseen = other.plan.storeys[0].gaps.map(({ room }) => room);
+    expect(unseen).not.toContain('Room 1');
+    expect(named(await again.session.update({}))).toEqual(['Hall', 'Room 2', 'Room 3']);
+  });
+
+  it('is named as the scan is', async () => {
+    const [x, y] = placeIn(scanned.result!.plan.storeys[0].rooms[1].outline);
+    const given = { roomNames: `${x},${y}=Küche; "a" <b>`.replace(';', ';;') };
+    const { session } = await open(saved, given);
+    const fromScan = newSession();
+    await fromScan.load(scanFile, { unit: 'm', ...given });
+    expect(fromScan.result!.plan.storeys[0].rooms[1].name).toBe('Küche; "a" <b>');
+    for (const format of ['svg', 'dxf', 'ifc', 'geojson', 'rooms', 'rooms-xlsx', 'glb', 'json']) {
+      expect(await contents(session, format), format).toEqual(await contents(fromScan, format));
+    }
+    const [, csv] = (await contents(session, 'rooms'))[0];
+    expect(csv).toContain('"Küche; ""a"" <b>"');
+  });
+
+  it('of outlines says that it has no rooms to name', async () => {
+    const outlines = await scanned.compare({ unit: 'm', planMethod: 'outline', roomNames: '0,0=Hall' });
+    expect(outlines.plan.warnings.map(({ code }) => code)).toContain('plan/no-such-room');
   });
 
   it('says which parameters need the scan', async () => {

@@ -308,6 +308,14 @@ test('slabs are as the parameters ask', async () => {
   for (const slab of both.ids(webIfc.IFCSLAB)) expectNear(both.volume(slab), (8.6 * 5.6 - 0.5) * 0.25);
 });
 
+test('of rooms called alike each has its own unseen outline and furniture', async () => {
+  const storey = flat(['Office', 'Office']);
+  const gaps = [...storey.gaps!, { from: [8, 1], to: [8, 3], width: 2, room: 'Office' } as const];
+  const ifc = await open({ storeys: [{ ...storey, gaps }] });
+  const unseen = ifc.ids(webIfc.IFCSPACE).map((id) => ifc.set(id, 'Grundriss_Evidence').UnseenOutline);
+  expect(unseen).toEqual([0.5, 2]);
+});
+
 describe('ids', () => {
   const guidsOf = (file: string): string[] =>
     [...file.matchAll(/=IFC\w+\('([0-9A-Za-z_$]{22})',/g)].map(([, guid]) => guid);
@@ -318,6 +326,12 @@ describe('ids', () => {
     const guids = guidsOf(file);
     expect(new Set(guids).size).toBe(guids.length);
     expect(guids.every((guid) => /^[0-3]/.test(guid))).toBe(true);
+  });
+
+  test('a space keeps its id under another name', async () => {
+    const idsOf = async (names: readonly [string, string]) =>
+      (await open({ storeys: [flat(names)] })).lines(webIfc.IFCSPACE).map(({ GlobalId }) => GlobalId.value);
+    expect(await idsOf(['Room 1', 'Room 2'])).toEqual(await idsOf(['Room 2', 'Kitchen']));
   });
 
   test('a wall keeps its id when another goes', async () => {

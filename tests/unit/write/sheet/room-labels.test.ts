@@ -72,6 +72,15 @@ test('no label leaves its room but by a line, and none lies on another', () => {
   );
 });
 
+test('a name that runs from right to left is set off where its area follows on its line', () => {
+  const textsIn = (side: number) =>
+    labelsOf([{ name: 'حمام', outer: rectangle(0, 0, side, side) }])[0].items.flatMap((item) =>
+      item.kind === 'text' ? [item.text] : [],
+    );
+  expect(textsIn(0.4)).toEqual(['\u2068حمام\u2069, 0.16 m²']);
+  expect(textsIn(4)).toEqual(['حمام', '16.0 m²']);
+});
+
 test('a room without area has no label', () => {
   expect(labelsOf([{ name: 'Nothing', outer: Float64Array.of(0, 0, 1, 0, 2, 0) }])).toEqual([]);
 });
