@@ -9,6 +9,7 @@ import { type CurvedFace, fitArc } from './fit-arc.ts';
 import { fitLine, reachOf } from './fit-line.ts';
 import { type Course, type FreeColumns, LONGEST_BREAK, takeAcross } from './free-columns.ts';
 import { growArc } from './grow-arc.ts';
+import { findStraddling, type Straddling } from './straddling.ts';
 import { arcsOverLines, isChord, wallArc } from './wall-arcs.ts';
 
 /** A column whose own direction leaves the line by more than this, radians, belongs to another. */
@@ -24,6 +25,9 @@ const LEAST_WALL_NOISE = 0.02;
 const ARC_NOISE_RATIO = 1.7;
 const LEAST_ARC_NOISE = 0.005;
 const MOST_ARC_NOISE = 0.03;
+/** Columns so near another face, m, or so many times its noise, are its own. */
+const OTHERS = 0.03;
+const NOISES = 2;
 /** Fewer columns make no line. */
 const FEWEST = 3;
 /** A growing line is looked on past its ends by its own length, or by this, m. */
@@ -83,10 +87,19 @@ export function findFaces({ cloud, columns, ceiling }: FaceSite): FoundFaces {
   const sure = [...arcs, ...growArcs((seed) => wallArc(cloud, walls, seed))];
   const bent = growArcs((seed) => anyArc(cloud, walls, seed));
   const mostNoise = Math.max(LEAST_WALL_NOISE, WALL_NOISE_RATIO * usual);
-  const straight = [...long, ...growLines(SHORTEST)].filter(
-    (face) => face.noise <= mostNoise && !isChord(columns, face, sure),
-  );
-  return { straight, curved: [...sure, ...bent] };
+  const areWalls = (faces: readonly Face[]) =>
+    faces.filter((face) => face.noise <= mostNoise && !isChord(columns, face, sure));
+  const found = areWalls([...long, ...growLines(SHORTEST)]);
+  const straddling = findStraddling(found);
+  for (const each of straddling) for (const c of besideOther(columns, each)) isFree[c] = 1;
+  const straight = found.filter((face) => straddling.every((each) => each.face !== face));
+  return { straight: [...straight, ...areWalls(growLines(SHORTEST))], curved: [...sure, ...bent] };
+}
+
+/** Columns of a line that is no surface which are not those of the one it crosses. */
+function besideOther({ centres }: HeightColumns, { face, other }: Straddling): number[] {
+  const band = Math.max(OTHERS, NOISES * other.noise);
+  return [...face.members].filter((c) => Math.abs(asideOf(other, centres[2 * c], centres[2 * c + 1])) > band);
 }
 
 /** The arc that grows from a column, be it of a wall, a column or furniture. */
