@@ -10,6 +10,9 @@ export const OPEN_SHARE = 0.15;
 export const LONGEST = 3.5;
 /** Walls seen over less than this, m, may be columns or furniture: they do not go on. */
 const SHORTEST_WALL = 0.6;
+/** A wall passes by another's end if it was seen on both sides of it, from so far off, m, to so far: past a door. */
+const PASSING_FROM = 0.2;
+const PASSING_TO = 1.2;
 /** A wall ends at a corner this near its end, m: what was seen of it is told in bits. */
 const AT_CORNER = 0.1;
 /** Two faces nearer or farther apart make no inner wall, m. */
@@ -28,7 +31,8 @@ const CEILING_LOOK = 0.2;
  * for space on the line alone, which lies before the wall as often as behind it (rooms of hard scenes .964 → .914: walls
  * between cupboards stop short, and rooms flow together); to ask the columns only, never the ceiling (rooms of what is beyond
  * hard .854 → .832); both sides at one place (rooms of hard scenes .969 → .964: sparse scans seldom show
- * that); the ceiling right up to the corner (corners of the scenes at 5 cm .989 → .971).
+ * that); the ceiling right up to the corner (corners of the scenes at 5 cm .989 → .971); on past a wall that goes by on both
+ * sides (a partition cuts the corridor in front of it, where little of that was seen).
  *
  * @param supports what is known of the walls by now; `own` what was seen of them
  */
@@ -67,7 +71,13 @@ interface SeenWall {
   readonly seen: SeenSpace;
 }
 
-function goOnToCorners(wall: SeenWall, support: FaceSupport, corners: readonly number[]): FaceSupport {
+/** Where a wall meets another, m along it, and whether that one was seen to pass by on both sides. */
+interface Corner {
+  readonly along: number;
+  readonly passes: boolean;
+}
+
+function goOnToCorners(wall: SeenWall, support: FaceSupport, corners: readonly Corner[]): FaceSupport {
   const { from, step } = support;
   const shares = support.shares.slice();
   for (const side of [1, -1]) {
@@ -75,12 +85,9 @@ function goOnToCorners(wall: SeenWall, support: FaceSupport, corners: readonly n
       const beyond = k + side;
       if (beyond < 0 || beyond >= shares.length || support.shares[beyond] >= WALL_SHARE) continue;
       const end = from + (side > 0 ? k + 1 : k) * step;
-      const way = wayOn(
-        wall,
-        end,
-        corners.map((corner) => side * (corner - end)),
-        side,
-      );
+      if (corners.some(({ along, passes }) => passes && Math.abs(along - end) <= AT_CORNER)) continue;
+      const ways = corners.map(({ along }) => side * (along - end));
+      const way = wayOn(wall, end, ways, side);
       if (way === undefined) continue;
       const last = Math.floor((end + side * way - from) / step);
       for (let m = beyond; m >= 0 && m < shares.length && (last - m) * side >= 0; m += side)
@@ -101,7 +108,7 @@ function wayOn(wall: SeenWall, end: number, ways: readonly number[], side: numbe
 }
 
 /** Where along a wall another meets it, m, if that one stands there or goes on to there unseen; null elsewhere. */
-function cornerOf({ face }: SeenWall, other: SeenWall): number | null {
+function cornerOf({ face }: SeenWall, other: SeenWall): Corner | null {
   const place = crossingOf(face, other.face);
   if (place === null) return null;
   const there = alongOf(other.face, ...place);
@@ -112,7 +119,13 @@ function cornerOf({ face }: SeenWall, other: SeenWall): number | null {
     if (Math.abs(at - there) < least) [nearest, least] = [at, Math.abs(at - there)];
   }
   if (least > NEAR_END && (least > LONGEST || !isUnseen(other, nearest, there))) return null;
-  return alongOf(face, ...place);
+  const passes = [1, -1].every((side) =>
+    other.stands.some((k) => {
+      const past = side * (from + (k + 0.5) * step - there);
+      return past > PASSING_FROM && past < PASSING_TO;
+    }),
+  );
+  return { along: alongOf(face, ...place), passes };
 }
 
 /** Whether hardly any space was seen across a stretch of a wall's line: no ceiling goes on over it, nor is its floor open. */
