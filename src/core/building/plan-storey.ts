@@ -30,6 +30,7 @@ import {
 } from './openings/look-into-walls.ts';
 import { wallStrip } from './openings/wall-strip.ts';
 import { findRooms } from './space/find-rooms.ts';
+import { aroundStructures } from './structures/around-structures.ts';
 import { findStructures } from './structures/find-structures.ts';
 import { innerWalls } from './walls/inner-walls.ts';
 import { pairFaces, sharedFaces, USUAL_THICKNESS } from './walls/pair-faces.ts';
@@ -72,9 +73,11 @@ export function planStorey(
   const columns = heightColumns(cloud, kept, heights);
   const ceiling = localCeiling(columns);
   const { faces, curves, rooms: found } = findRooms(cloud, columns, ceiling);
-  const outlines = inReadingOrder(found.map(({ outline }) => withArcs(outline, curves)));
+  const traced = inReadingOrder(found.map(({ outline }) => outline));
   const noise = faces.length > 0 ? medianOf(Float64Array.from(faces, (face) => face.noise)) : USUAL_NOISE;
   const site: LookSite = { cloud, columns, noise, height: heights.ceiling - heights.floor };
+  const secondary = findStructures(site, ceiling, traced);
+  const outlines = traced.map((outline) => withArcs(aroundStructures(outline, secondary), curves));
   const edges = edgesOf(outlines);
   const pairs = pairFaces(edges);
   const thickest = pairs.reduce((most, { thickness }) => Math.max(most, thickness), USUAL_THICKNESS);
@@ -91,7 +94,6 @@ export function planStorey(
     height: tall[i],
     confidence: seenShare(outline, byRoom[i]),
   }));
-  const secondary = findStructures(site, ceiling, outlines);
   return {
     ...heights,
     primary,

@@ -8,6 +8,11 @@ const WIDEST_PASSAGE = 2.5;
 /** Over such a width, space seen on less than this share of it does not interrupt the wall. */
 const HALF_OPEN = 0.5;
 
+/** The side of a column is no longer than this, m, and space goes on this far past it, and to both sides of its line. */
+const WIDEST_COLUMN = 0.6;
+const PAST_COLUMN = 0.3;
+const BESIDE_COLUMN = 0.1;
+
 /** Places along a gap are so far apart, m. */
 const PLACE = 0.1;
 /** Inside a wall is so near its line, m, on one side of it … */
@@ -129,17 +134,46 @@ function goOn(
   return supports.map((support, i) => {
     const { from, step } = support;
     const shares = support.shares.map((share, k) => (own[i].shares[k] >= WALL_SHARE ? 1 : share));
-    let last = -1;
-    for (let k = 0; k < shares.length; k++) {
-      if (support.shares[k] < WALL_SHARE) continue;
-      const [begin, end] = [from + (last + 1) * step, from + k * step];
-      if (last >= 0 && k - last > 1 && goesOnOver({ faces, own, i, begin, end }, seen)) {
-        for (let m = last + 1; m < k; m++) shares[m] = Math.max(shares[m], TAKEN_SHARE);
-      }
-      last = k;
-    }
+    const stretches = stretchesOf(support).filter((stretch) => !standsFree(faces[i], stretch, seen));
+    stretches.slice(1).forEach((stretch, s) => {
+      const [begin, end] = [stretches[s].to, stretch.from];
+      if (!goesOnOver({ faces, own, i, begin, end }, seen)) return;
+      const [first, last] = [begin, end].map((along) => Math.round((along - from) / step));
+      for (let m = first; m < last; m++) shares[m] = Math.max(shares[m], TAKEN_SHARE);
+    });
     return { ...support, shares };
   });
+}
+
+/** Stretches of a face that stand in one, as places along it, m. */
+function stretchesOf({ from, step, shares }: FaceSupport): { readonly from: number; readonly to: number }[] {
+  const stretches: { from: number; to: number }[] = [];
+  for (let k = 0; k < shares.length; k++) {
+    if (shares[k] < WALL_SHARE) continue;
+    const last = stretches.at(-1);
+    const [begin, end] = [from + k * step, from + (k + 1) * step];
+    if (last && begin - last.to < step / 2) last.to = end;
+    else stretches.push({ from: begin, to: end });
+  }
+  return stretches;
+}
+
+/**
+ * Whether a stretch is the side of a column: short, and ceiling was seen past both of its ends; a wall in line with it does
+ * not go on to it as over a passage.
+ *
+ * Not taken: floor as well as ceiling, and sides up to 0.8 m: piers between doors are taken for columns (rooms of a clean home
+ * 1.00 → .89).
+ */
+function standsFree(
+  face: Face,
+  { from, to }: { readonly from: number; readonly to: number },
+  seen: SeenSpace,
+): boolean {
+  if (to - from > WIDEST_COLUMN) return false;
+  return [from - PAST_COLUMN, to + PAST_COLUMN].every((along) =>
+    [-BESIDE_COLUMN, 0, BESIDE_COLUMN].every((across) => seen.at(...pointOn(face, along, across))),
+  );
 }
 
 interface GapPlace {

@@ -66,6 +66,13 @@ describe('a wall that ends short of another', () => {
     expect(endOf([wall('y', 4, 4.2, 5), outer], () => false)).toBeCloseTo(5, 1);
   });
 
+  it('ends where another passes by on both sides: beyond is a corridor', () => {
+    const corridor = wall('x', 5, 0, 8);
+    expect(endOf([wall('y', 4, 2, 5), corridor, outer], () => false)).toBeCloseTo(5, 1);
+    // One that ends there hides what is behind it.
+    expect(endOf([wall('y', 4, 2, 5), wall('x', 5, 0, 3.9), outer], () => false)).toBeCloseTo(6, 1);
+  });
+
   it('that meets one face of a wall does not go on to its other', () => {
     expect(endOf([wall('y', 4, 2, 5.9), wall('x', 5.9, 0, 8), outer], () => false)).toBeCloseTo(5.9, 1);
   });
@@ -104,6 +111,34 @@ describe('a gap of a wall where a corridor leads off', () => {
 
   it('is a wall where a cupboard hides half of it', () => {
     expect(isTakenAt(4, (x) => inRow(x) && x > 4)).toBe(true);
+  });
+});
+
+describe('a column in line with a wall', () => {
+  const long = wall('y', 4, 1, 4);
+
+  /** Whether a wall is taken to go on from x = 4 to something that stands from x = 5 on. */
+  function isJoined(to: number, isOpen: SeenSpace['isOpen']): boolean {
+    const short = wall('y', 4, 5, to);
+    const face = { ...long.face, from: short.face.from };
+    const shares = long.own.shares.map((share, k) => Math.max(share, short.own.shares[k]));
+    const none = new Uint8Array(0);
+    const seen: SeenSpace = { isSeen: none, isBetween: none, at: isOpen, isOpen };
+    const [support] = takenSupport([face], [{ ...long.own, shares }], seen);
+    return support.shares[Math.floor((-4.5 - support.from) / STEP)] >= WALL_SHARE;
+  }
+
+  /** Space all around, but for what stands. */
+  const around = (to: number) => (x: number, y: number) =>
+    Math.abs(y - 4) > 0.05 || x > to || (x > 4 && x < 5);
+
+  it('stands by itself where space was seen around it', () => {
+    expect(isJoined(5.4, around(5.4))).toBe(false);
+  });
+
+  it('is the end of the wall where it goes on, or nothing shows that it does not', () => {
+    expect(isJoined(6, around(6))).toBe(true);
+    expect(isJoined(5.4, (x, y) => around(5.4)(x, y) && x < 5.5)).toBe(true);
   });
 });
 
