@@ -1,5 +1,5 @@
-import { combine, grow } from '../core/geometry/areas.ts';
-import { polygonArea, ringsOf } from '../core/geometry/rings.ts';
+import { combine, withoutHairlines } from '../core/geometry/areas.ts';
+import { polygonArea } from '../core/geometry/rings.ts';
 import type { Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
 import { openingBoxes } from './opening-boxes.ts';
 import { separatePinches } from './pinches.ts';
@@ -20,15 +20,9 @@ export function wallSection(storey: Storey): Polygon[] {
 }
 
 /** All walls of a storey in one, without the hairlines between pieces that were cut apart. */
-export const wallArea = oncePerStorey(({ walls }) => {
-  const area = unite(walls.map(({ outline }) => outline));
-  const closed = grow(grow(area, HAIRLINE / 2), -HAIRLINE / 2);
-  return vertexCount(closed) < vertexCount(area) ? closed : area;
-});
-
-function vertexCount(polygons: readonly Polygon[]): number {
-  return ringsOf(polygons).reduce((sum, ring) => sum + ring.length / 2, 0);
-}
+export const wallArea = oncePerStorey(({ walls }) =>
+  withoutHairlines(unite(walls.map(({ outline }) => outline)), HAIRLINE),
+);
 
 /** What openings take out of the walls in the cross-section. */
 export const openingsAtCut = oncePerStorey((storey) => {

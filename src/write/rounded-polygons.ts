@@ -1,3 +1,4 @@
+import { withoutHairlines } from '../core/geometry/areas.ts';
 import type { Circle } from '../core/geometry/circle.ts';
 import { withArcs } from '../core/geometry/ring-arcs.ts';
 import { orientRing, pointInRing, ringsOf } from '../core/geometry/rings.ts';
@@ -7,6 +8,8 @@ import { separatePinches } from '../solid/pinches.ts';
 
 /** What still meets when rounded is knocked out twice as wide each time; 3 mm in the last. */
 const ROUNDS = 4;
+/** Gaps that rounding may close are filled before, m. */
+const HAIRLINE = 2e-4;
 
 type Position = readonly [x: number, y: number];
 
@@ -29,8 +32,8 @@ export interface RoundedPolygon {
  * this.
  *
  * Vertices that rounding makes one are written once, holes left without area go, and rings turn as asked for after rounding,
- * which may turn a sliver over. A polygon that stays sound keeps all else; another is cut where its rings all but touch,
- * and of its pieces those without a width that rounding leaves are left out.
+ * which may turn a sliver over. A polygon that stays sound keeps all else; another loses its hairline gaps, or is cut where
+ * its rings all but touch, and of its pieces those without a width that rounding leaves are left out.
  *
  * @param polygon metres; rings in any turn
  * @param place from plan metres to the file's rounded coordinates, keeping the turn of rings
@@ -42,8 +45,8 @@ export function roundedPolygons(
   { circles, metresPerUnit }: FileCurves = { circles: [], metresPerUnit: 1 },
 ): RoundedPolygon[] {
   const done: RoundedPolygon[] = [];
-  let waiting = [polygon];
-  for (let round = 0; round <= ROUNDS && waiting.length > 0; round++) {
+  let waiting: readonly Polygon[] = [polygon];
+  for (let round = 0; round <= ROUNDS + 1 && waiting.length > 0; round++) {
     const unsound: Polygon[] = [];
     for (const piece of waiting) {
       const rounded = roundPolygon(piece, place);
@@ -51,7 +54,9 @@ export function roundedPolygons(
         done.push({ piece, rounded: withArcs(rounded, circles, metresPerUnit) });
       else if (rounded !== null) unsound.push(piece);
     }
-    waiting = unsound.flatMap((piece) => separatePinches([piece], 2 ** round));
+    waiting = unsound.flatMap((piece) =>
+      round === 0 ? withoutHairlines([piece], HAIRLINE) : separatePinches([piece], 2 ** (round - 1)),
+    );
   }
   return done;
 }

@@ -72,3 +72,10 @@ test('every rounded polygon is valid, turned and without a point twice, and no m
   // The rings are hard enough to need every way out.
   for (const count of Object.values(seen)) expect(count).toBeGreaterThan(10);
 });
+
+test('a gap in a wall that rounding closes is filled', () => {
+  const notched = Float64Array.of(0, 0, 0.2, 0, 0.2, 2, 0, 2, 0, 1.000004, 0.12, 1.000001, 0, 1.0);
+  const written = roundedPolygons({ outer: notched, holes: [] }, place);
+  expect(written.map(({ rounded: { outer } }) => outer.length)).toEqual([8]);
+  expect(polygonArea(written[0].rounded)).toBeCloseTo(0.4, 9);
+});

@@ -2,7 +2,7 @@ import { Clipper64, ClipType, FillRule, type Paths64 } from 'clipper2-ts';
 import type { Polygon } from '../types.ts';
 import { ClipGrid, offsetPaths, STEPS_PER_METRE } from './clip-grid.ts';
 import { nestPaths } from './nest-paths.ts';
-import { orientRing, polygonArea } from './rings.ts';
+import { orientRing, polygonArea, vertexCount } from './rings.ts';
 
 /** A ring thinner than this on average, m, is debris of rounding. */
 const DEBRIS_WIDTH = 4 / STEPS_PER_METRE;
@@ -55,6 +55,12 @@ export function grow(polygons: readonly Polygon[], distance: number): Polygon[] 
   const grid = new ClipGrid(whole[0].outer, { debris: DEBRIS_WIDTH });
   const paths = offsetPaths(toPaths(whole, grid), distance, MITRE_LIMIT);
   return nestPaths(paths, (path, turn) => grid.toRing(path, turn));
+}
+
+/** An area without gaps narrower than a width, m, within it or between its polygons; where there are none, as it was. */
+export function withoutHairlines(polygons: readonly Polygon[], width: number): readonly Polygon[] {
+  const closed = grow(grow(polygons, width / 2), -width / 2);
+  return vertexCount(closed) < vertexCount(polygons) ? closed : polygons;
 }
 
 /** Area of polygons that do not overlap, m². */

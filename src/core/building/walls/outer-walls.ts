@@ -1,7 +1,7 @@
 import { areaOf, combine } from '../../geometry/areas.ts';
 import type { Circle } from '../../geometry/circle.ts';
 import { crossingWithCircle, withArcs } from '../../geometry/ring-arcs.ts';
-import { inBounds, near, ringsOf } from '../../geometry/rings.ts';
+import { inBounds, near, orientRing, ringsOf } from '../../geometry/rings.ts';
 import { lineIntersection } from '../../geometry/segments.ts';
 import { isSimpleRing } from '../../geometry/simplicity.ts';
 import type { Polygon, Ring } from '../../types.ts';
@@ -50,7 +50,7 @@ function keptApart(walls: readonly PlannedWall[], outlines: readonly Polygon[]):
   const taken = outlines.map(inBounds);
   const longestFirst = [...walls].sort((a, b) => b.length - a.length || a.side - b.side);
   const kept = longestFirst.flatMap(({ side, ring, thickness, circles }) => {
-    const wall: Polygon = { outer: ring, holes: [] };
+    const wall: Polygon = { outer: orientRing(ring, 'counter-clockwise'), holes: [] };
     const others = near(taken, wall);
     const isClear = isSimpleRing(ring) && areaOf(combine('intersection', [wall], others)) < LEAST_OVERLAP;
     const parts = isClear ? [wall] : validParts(combine('difference', [wall], others));

@@ -17,6 +17,7 @@ import { checkSolid } from '../../../../src/solid/check-solid.ts';
 import { CORPUS } from '../../../accuracy/corpus.ts';
 import { measurePlan } from '../../../accuracy/measure.ts';
 import type { Measures } from '../../../accuracy/measures.ts';
+import { polygonProblems } from '../../../invariants.ts';
 
 const SCAN = { voxel: 0.05, raysPerStation: 60_000, stationsPerRoom: 2 };
 
@@ -68,6 +69,12 @@ describe('a furnished home', () => {
     for (const { outer, holes } of [...rooms, ...walls, ...storey.primary]) {
       for (const ring of [outer, ...holes]) expect(isSimpleRing(ring)).toBe(true);
     }
+  });
+
+  it('has sound polygons, turned counter-clockwise', () => {
+    const { primary, rooms, walls, secondary } = home.plan.storeys[0];
+    const outlines = [...primary, ...[...rooms, ...walls, ...secondary].map(({ outline }) => outline)];
+    for (const outline of outlines) expect(polygonProblems(outline)).toEqual([]);
   });
 
   it('rooms are named in reading order, with heights and confidences', () => {

@@ -3,6 +3,7 @@ import { outerWalls } from '../../../../src/core/building/walls/outer-walls.ts';
 import { isValid, validParts } from '../../../../src/core/building/walls/valid-parts.ts';
 import { areaOf, combine } from '../../../../src/core/geometry/areas.ts';
 import type { Polygon } from '../../../../src/core/types.ts';
+import { polygonProblems } from '../../../invariants.ts';
 
 const area = (...outer: number[]): Polygon => ({ outer: Float64Array.from(outer), holes: [] });
 
@@ -33,6 +34,7 @@ it('spikes go, valid areas stay', () => {
 it('outer walls meet in mitres', () => {
   const walls = outerWalls([area(0, 0, 4, 0, 4, 3, 0, 3)], [0.3, 0.4, 0.3, 0.4]);
   expect(walls.map(({ side }) => side)).toEqual([0, 1, 2, 3]);
+  for (const { outline } of walls) expect(polygonProblems(outline)).toEqual([]);
   expect(areaOf(walls.map(({ outline }) => outline))).toBeCloseTo(4.8 * 3.6 - 12, 6);
 });
 
