@@ -100,6 +100,9 @@ export default defineConfig(({ mode }) => ({
     setupFiles: ['tests/seeded.ts'],
     // Its own default leaves a core to others.
     maxWorkers: '100%',
+    // Modules are loaded once a worker, not once a file; none of them holds state.
+    pool: 'threads',
+    isolate: false,
     testTimeout: 60_000,
     hookTimeout: 60_000,
     // The CSG packages resolve to CommonJS under Node and would load a second three.

@@ -1,4 +1,4 @@
-import { areaOf, combine, grow, withoutHairlines } from '../../geometry/areas.ts';
+import { areaOf, combine, grow } from '../../geometry/areas.ts';
 import { circlesOf, withArcs } from '../../geometry/ring-arcs.ts';
 import { centroid } from '../../geometry/rings.ts';
 import { distanceToRing } from '../../secondary/structure.ts';
@@ -7,7 +7,7 @@ import type { FacePair } from './pair-faces.ts';
 import { validParts } from './valid-parts.ts';
 import { wallStrips } from './wall-strips.ts';
 
-/** Half the width of what is no wall, or no gap in one, but rounding, m. */
+/** Half the width of what is no wall but rounding, m. */
 const SLIVER = 0.001;
 /** Leftovers of walls smaller than this are debris, m². */
 const DEBRIS = 1e-4;
@@ -40,7 +40,7 @@ export function innerWalls(
   }
   const circles = rooms.flatMap(circlesOf);
   return pieces.flatMap((piece, i) =>
-    validParts(withoutHairlines(piece, 2 * SLIVER)).map((outline): Wall => {
+    validParts(piece).map((outline): Wall => {
       const { pairs: own, thickness } = strips[i];
       const hidden = (['face', 'back'] as const).every((side) =>
         own.some((pair) => unseen[pair[side].owner].some((gap) => touches(gap, pair))),
