@@ -9,6 +9,7 @@ import { isArchive, openArchive } from '../read/archive/open-archive.ts';
 import type { ByteSource } from '../read/bytes/source.ts';
 import { HEAD_BYTES } from '../read/signatures.ts';
 import { parsePlanJson } from '../write/data/plan-json.ts';
+import { unsoundOutlines } from './unsound-outlines.ts';
 
 /** Longer than any plan of a building, and shorter than any text may be, bytes. */
 const MOST_BYTES = 2 ** 28;
@@ -53,7 +54,11 @@ export function openPlan(read: FloorPlan, given: GivenValues): OpenedPlan {
   const options = resolveOptions({ ...read.options, ...changes, ...(roomNames && { roomNames }) });
   const lost = names.filter((name) => !countsWithoutPoints(name) && !isSaid(name, read.options, asked));
   const plan = changed({ ...read, options }, changes);
-  return { plan, options, warnings: lost.length > 0 ? [needScan(lost)] : [] };
+  return {
+    plan,
+    options,
+    warnings: [...(lost.length > 0 ? [needScan(lost)] : []), ...unsoundOutlines(read)],
+  };
 }
 
 /** Names that were given before, and after them those given now. */

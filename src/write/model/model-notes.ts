@@ -1,14 +1,13 @@
 import { type SourceCoordinates, sayCrs, sayUnit, sourceCoordinates } from '../../core/source-coordinates.ts';
 import type { Frame } from '../../core/types.ts';
+import { printable } from '../printable.ts';
 
 /** Longest name of a scan in a comment: characters. */
 const LONGEST = 120;
-/** Line breaks and other control characters would end a comment; lone surrogates are no text. */
-const UNSAFE = /[\p{Cc}\p{Cs}\p{Zl}\p{Zp}]+/gu;
 
 /** A scan's name, or other foreign text, as one line of a comment. */
 export function oneLine(text: string): string {
-  const characters = [...text.replace(UNSAFE, ' ').trim()];
+  const characters = [...printable(text)];
   return characters.length > LONGEST ? `${characters.slice(0, LONGEST - 1).join('')}…` : characters.join('');
 }
 

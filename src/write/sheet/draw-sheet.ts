@@ -18,6 +18,7 @@ import type { Furniture, Opening, Polygon, RingArc, SecondaryBoundary, Storey } 
 import { footprint } from '../../solid/sections.ts';
 import { rounded } from '../decimals.ts';
 import type { Product } from '../plan-writer.ts';
+import { printable } from '../printable.ts';
 import { roundedPolygons } from '../rounded-polygons.ts';
 import { cutWalls } from './cut-walls.ts';
 import {
@@ -32,7 +33,7 @@ import { drawOpenings, placeData } from './draw-openings.ts';
 import { hatch } from './hatch.ts';
 import { formatArea, formatDimension } from './measure-words.ts';
 import { drawRoomDimensions } from './room-dimensions.ts';
-import { placeLabels } from './room-labels.ts';
+import { drawnName, placeLabels } from './room-labels.ts';
 import { HATCHES } from './secondary-hatch.ts';
 import { fitPage, type Page } from './sheet-page.ts';
 import { rotationBy, turnToSquare } from './sheet-turn.ts';
@@ -72,6 +73,7 @@ export function drawSheet(facts: SheetFacts, storey: number, warn: StageContext[
   const unit = options.displayUnits;
   const walls = drawWalls(drawn, planToSheet);
   const openings = drawOpenings(drawn, planToSheet);
+  warnOfCutNames(drawn, warn);
   const labels = placeLabels({ storey: drawn, planToSheet, unit, extent: onSheet(extent, squareToSheet) });
   const inner = drawRoomDimensions({
     ...{ rooms: options.dimensions === 'all' ? drawn.rooms.map(({ outline }) => outline) : [] },
@@ -98,6 +100,17 @@ export function drawSheet(facts: SheetFacts, storey: number, warn: StageContext[
   ];
   const description = [words.title, ...words.lines].join('. ');
   return { paper, scale, storey, title: words.title, description, planToSheet, layers };
+}
+
+function warnOfCutNames({ rooms }: Storey, warn: StageContext['warn']): void {
+  const cut = rooms.flatMap(({ name }) => (drawnName(name) === printable(name) ? [] : [drawnName(name)]));
+  if (cut.length === 0) return;
+  const others = cut.length > 1 ? ` and of ${cut.length - 1} more` : '';
+  warn({
+    code: 'sheet/name-cut',
+    message: `The name of the room “${cut[0]}”${others} is too long for the drawing, which shows its beginning.`,
+    hint: 'Give the room a shorter name.',
+  });
 }
 
 /** Where the plan stands on which paper, and what is measured around it. */

@@ -15,6 +15,12 @@ const LEADING = 1;
 const PLACES = 24;
 /** Longer names are cut, mm: what may stand beside a plan on the smallest sheet. */
 const LONGEST_NAME = 60;
+
+/** A room's name as it stands in the drawing: on one line, and not too long. */
+export function drawnName(name: string): string {
+  return shorten(name, TEXT_SIZES.label, LONGEST_NAME);
+}
+
 /** Middle of texts that are led out, off the plan, mm: between it and the first chain. */
 const LED_OUT = 2.8;
 
@@ -59,7 +65,7 @@ export function placeLabels({ storey, planToSheet, unit, extent }: LabelFacts): 
     const area = areaOf([outline]);
     if (area === 0) return [];
     const words = formatArea(area, unit);
-    const title = shorten(name, TEXT_SIZES.label, LONGEST_NAME);
+    const title = drawnName(name);
     const lines = title === '' ? [words] : [title, words];
     const free = combine('difference', [outline], structures);
     const spaces = (free.length > 0 ? free : [outline])

@@ -1,3 +1,5 @@
+import { printable } from '../printable.ts';
+
 /** Mean advance of a letter in the usual sans-serif faces, and of a CJK letter, as shares of the text size. */
 const LETTER = 0.55;
 const WIDE_LETTER = 1;
@@ -18,11 +20,12 @@ export function widthByCapitals(text: string, height: number): number {
   return textWidth(text, height / CAPITAL);
 }
 
-/** The text, or as much of it as fits and an ellipsis. */
+/** The text on one line, or as much of it as fits and an ellipsis. */
 export function shorten(text: string, size: number, width: number): string {
-  if (textWidth(text, size) <= width) return text;
+  const line = printable(text);
+  if (textWidth(line, size) <= width) return line;
   let [kept, taken] = ['', textWidth('…', size)];
-  for (const letter of text) {
+  for (const letter of line) {
     taken += textWidth(letter, size);
     if (taken > width) break;
     kept += letter;

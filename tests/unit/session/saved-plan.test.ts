@@ -219,6 +219,23 @@ describe('a plan.json opened again', () => {
     ).toBe(true);
   });
 
+  it('says which of its outlines are none, and which names are cut', async () => {
+    const plan = JSON.parse(saved);
+    const [storey] = plan.storeys;
+    storey.rooms[0].outline.outer = [
+      [0, 0],
+      [1, 0],
+      [2, 0],
+    ];
+    storey.rooms[1].name = 'x'.repeat(10_000);
+    const { result } = await open(JSON.stringify(plan));
+    const codes = result.warnings.map(({ code }) => code);
+    expect(codes).toEqual(expect.arrayContaining(['sheet/name-cut', 'plan/unsound-outline']));
+    const { message } = result.warnings.find(({ code }) => code === 'plan/unsound-outline')!;
+    expect(message).toContain('storeys[0].rooms[0]');
+    expect((await open(saved)).result.warnings.map(({ code }) => code)).not.toContain('plan/unsound-outline');
+  });
+
   it('is no part of a scan', async () => {
     const plan = () => memorySource(saved, 'plan.json');
     await expect(newSession().load([plan(), plan()])).rejects.toMatchObject({

@@ -90,3 +90,8 @@ test('a name of ten thousand letters is cut, so that it stays on the sheet', () 
   expect(isLedOut(label)).toBe(true);
   expect(label.box.maxX - label.box.minX).toBeLessThan(90);
 });
+
+test('control characters in a name are blanks: some canvases take none', () => {
+  const [{ items }] = labelsOf([{ name: 'a\nb\u0000c', outer: rectangle(0, 0, 5, 4) }]);
+  expect(items.map((item) => item.kind === 'text' && item.text)).toContain('a b c');
+});
