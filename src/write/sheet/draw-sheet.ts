@@ -2,7 +2,7 @@ import type { StageContext } from '../../core/context.ts';
 import { areaOf, combine } from '../../core/geometry/areas.ts';
 import type { Circle } from '../../core/geometry/circle.ts';
 import { circlesOf } from '../../core/geometry/ring-arcs.ts';
-import { type Bounds, ringsOf } from '../../core/geometry/rings.ts';
+import { type Bounds, perimeter, ringsOf } from '../../core/geometry/rings.ts';
 import type { Options } from '../../core/params.ts';
 import {
   type Affine,
@@ -279,9 +279,19 @@ function titleWords(
       `Inside ${inner}, with walls ${outer}, height ${height}`,
       `Scale 1:${page.scale} on ${page.paper}${turned}, ${unit === 'm' ? 'metres' : 'feet and inches'}`,
       `Source: ${plan.source.name}, ${points} points`,
-      'Approximate: from a point cloud; dashed is inferred',
+      accuracyNote(storey),
     ],
   };
+}
+
+/** How far the drawing can be trusted: the share of what rooms are bounded by that no point shows. */
+function accuracyNote({ rooms, primary, gaps }: Storey): string {
+  const bounds = rooms.length > 0 ? rooms.map(({ outline }) => outline) : primary;
+  const length = ringsOf(bounds).reduce((sum, ring) => sum + perimeter(ring), 0);
+  const inferred = gaps.reduce((sum, { width }) => sum + width, 0);
+  if (inferred === 0 || length === 0) return 'Approximate: from a point cloud';
+  const share = Math.max(1, Math.round((100 * Math.min(inferred, length)) / length));
+  return `Approximate: from a point cloud; ${share} % inferred, dashed`;
 }
 
 /** What the arrow shows: north where it is known, else the scan's y axis. Radians counter-clockwise from up. */

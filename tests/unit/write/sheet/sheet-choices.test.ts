@@ -126,3 +126,11 @@ test('a structure in the middle of a room keeps its label and the lines off', as
   const isBeside = planX < 5.4 || planX > 6 || planY < 1.7 || planY > 2.3;
   expect(isBeside).toBe(true);
 });
+
+test('the title block tells how much of the walls no point shows', async () => {
+  const titleOf = (sheet: Sheet) => texts(sheet, 'title').join('|');
+  expect(titleOf(await drawn({}))).toMatch(/point cloud; 3 % inferred, dashed/);
+  const [storey] = home().storeys!;
+  const seen = await drawn({}, { ...home(), storeys: [{ ...storey, gaps: [] }] });
+  expect(titleOf(seen)).toMatch(/Approximate: from a point cloud(\||$)/);
+});
