@@ -1,5 +1,6 @@
 import { combine } from '../core/geometry/areas.ts';
 import { inBounds, near } from '../core/geometry/rings.ts';
+import { oncePer } from '../core/once-per.ts';
 import type { Opening, Polygon, Storey } from '../core/types.ts';
 
 /** What an opening takes out of a storey's walls: a box across the wall, from jamb to jamb. */
@@ -27,7 +28,7 @@ const AXIS = 1e-3;
 const END = 1e-2;
 
 /** The boxes of a storey's openings; those off every wall have none. */
-export function openingBoxes({ floor, walls, openings }: Storey): OpeningBox[] {
+export const openingBoxes = oncePer(({ floor, walls, openings }: Storey): readonly OpeningBox[] => {
   const placed = walls.map(({ outline }) => inBounds(outline));
   const reach = Math.max(0, ...walls.map(({ thickness }) => thickness)) / 2 + BULGE;
   return openings.flatMap((opening, number) => {
@@ -39,7 +40,7 @@ export function openingBoxes({ floor, walls, openings }: Storey): OpeningBox[] {
     const base = strip(opening, depth.low - MARGIN, depth.high + MARGIN);
     return [{ number, opening, base, walls: about, depth, low: floor + sill, high: floor + head }];
   });
-}
+});
 
 type Axis = Pick<Opening, 'from' | 'to'>;
 

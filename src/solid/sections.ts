@@ -1,5 +1,6 @@
 import { combine, withoutHairlines } from '../core/geometry/areas.ts';
 import { polygonArea } from '../core/geometry/rings.ts';
+import { oncePer } from '../core/once-per.ts';
 import type { Polygon, SecondaryBoundary, Storey } from '../core/types.ts';
 import { openingBoxes } from './opening-boxes.ts';
 import { separatePinches } from './pinches.ts';
@@ -20,33 +21,23 @@ export function wallSection(storey: Storey): Polygon[] {
 }
 
 /** All walls of a storey in one, without the hairlines between pieces that were cut apart. */
-export const wallArea = oncePerStorey(({ walls }) =>
+export const wallArea = oncePer(({ walls }: Storey) =>
   withoutHairlines(unite(walls.map(({ outline }) => outline)), HAIRLINE),
 );
 
 /** What openings take out of the walls in the cross-section. */
-export const openingsAtCut = oncePerStorey((storey) => {
+export const openingsAtCut = oncePer((storey: Storey) => {
   const cut = storey.floor + CUT_HEIGHT;
   const open = openingBoxes(storey).filter(({ low, high }) => low < cut && cut < high);
   return open.map(({ base }) => base);
 });
 
 /** All that a storey covers, walls included; courtyards stay open. Disjoint polygons, metres. */
-export const footprint = oncePerStorey((storey) => {
+export const footprint = oncePer((storey: Storey) => {
   const walls = storey.walls.map(({ outline }) => outline);
   const rooms = storey.rooms.map(({ outline }) => outline);
   return unite([...storey.primary, ...rooms, ...walls]);
 });
-
-/** The model and every file of a plan ask for the same areas. */
-function oncePerStorey(make: (storey: Storey) => readonly Polygon[]): (storey: Storey) => readonly Polygon[] {
-  const known = new WeakMap<Storey, readonly Polygon[]>();
-  return (storey) => {
-    const made = known.get(storey) ?? make(storey);
-    known.set(storey, made);
-    return made;
-  };
-}
 
 /**
  * An area after the secondary boundaries, in their order: subtracted ones are cut out, added ones joined on

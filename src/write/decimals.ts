@@ -1,8 +1,13 @@
 /** A number with at most so many decimals, written as short as can be: never `-0`, never an exponent below 1e21. */
 export function decimal(value: number, digits: number): string {
   const text = value.toFixed(digits);
-  if (!text.includes('.')) return text === '-0' ? '0' : text;
-  const short = text.replace(/0+$/, '').replace(/\.$/, '');
+  const point = text.indexOf('.');
+  let end = text.length;
+  if (point >= 0) {
+    while (text[end - 1] === '0') end--;
+    if (end === point + 1) end = point;
+  }
+  const short = text.slice(0, end);
   return short === '-0' ? '0' : short;
 }
 

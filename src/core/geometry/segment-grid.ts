@@ -2,8 +2,8 @@ import type { Bounds } from './rings.ts';
 
 /** Padding of a segment's span in cells: rounding must not make a segment miss a cell it touches. */
 const PADDING = 1e-6;
-/** Room for so many entries at first. */
-const ENTRIES = 1024;
+/** Room for so many entries of each point at first. */
+const ENTRIES = 2;
 
 /** A cell edge that makes as many cells as segments: a long one then passes about √n of them. */
 export function cellFor({ minX, minY, maxX, maxY }: Bounds, segments: number): number {
@@ -19,8 +19,8 @@ export function cellFor({ minX, minY, maxX, maxY }: Bounds, segments: number): n
 export class SegmentGrid {
   /** Entries the last {@link along} or {@link around} found: ends of each, in `u` and `v`. */
   found = new Int32Array(64);
-  u = new Int32Array(ENTRIES);
-  v = new Int32Array(ENTRIES);
+  u: Int32Array;
+  v: Int32Array;
   private readonly x: Float64Array;
   private readonly y: Float64Array;
   private readonly minX: number;
@@ -29,7 +29,7 @@ export class SegmentGrid {
   private readonly columns: number;
   private readonly rows: number;
   private readonly head: Int32Array;
-  private chain = new Int32Array(ENTRIES);
+  private chain: Int32Array;
   private size = 0;
   // The segment at hand, in cells, and the cells of it at hand.
   private ax = 0;
@@ -47,6 +47,7 @@ export class SegmentGrid {
   constructor(x: Float64Array, y: Float64Array, bounds: Bounds, cell: number) {
     this.x = x;
     this.y = y;
+    [this.u, this.v, this.chain] = [0, 0, 0].map(() => new Int32Array(ENTRIES * x.length));
     this.minX = bounds.minX;
     this.minY = bounds.minY;
     this.cellsPerMetre = 1 / cell;

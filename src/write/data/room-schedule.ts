@@ -1,5 +1,6 @@
 import { areaOf } from '../../core/geometry/areas.ts';
 import { perimeter, pointInPolygon, ringsOf } from '../../core/geometry/rings.ts';
+import { oncePer } from '../../core/once-per.ts';
 import type { FloorPlan, Opening, Polygon, Room, Storey } from '../../core/types.ts';
 import { footprint, unite } from '../../solid/sections.ts';
 
@@ -49,7 +50,7 @@ export const AREA_RULES = {
 } as const;
 
 /** The rooms of a plan, lowest storey first, in the plan's order. Linear in rooms times openings of a storey. */
-export function roomLines({ storeys, options }: FloorPlan): RoomLine[] {
+export const roomLines = oncePer(({ storeys, options }: FloorPlan): readonly RoomLine[] => {
   const lines = storeys.flatMap((storey) => {
     const touched = storey.openings.map((opening) => ({
       type: opening.type,
@@ -70,7 +71,7 @@ export function roomLines({ storeys, options }: FloorPlan): RoomLine[] {
     windows: count('window'),
     passages: count('passage'),
   }));
-}
+});
 
 /** The areas of each storey, by rules told in {@link AREA_RULES}. */
 export function areaLines({ storeys }: FloorPlan): AreaLine[] {

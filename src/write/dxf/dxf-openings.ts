@@ -49,17 +49,18 @@ const ATTRIBUTES = {
 
 /** Puts a block in place for every opening that has a width. */
 export function drawOpeningBlocks(drawing: DxfDrawing, storey: Storey, nextHandle: () => string): void {
-  const openings = storey.openings.filter(({ from, to }) => from[0] !== to[0] || from[1] !== to[1]);
+  const isWide = ({ from, to }: Opening) => from[0] !== to[0] || from[1] !== to[1];
   const thickest = Math.max(0, ...storey.walls.map(({ thickness }) => thickness)) || DEPTH;
   for (const type of Object.keys(BLOCKS) as Opening['type'][]) {
-    if (!openings.some((opening) => opening.type === type)) continue;
+    if (!storey.openings.some((opening) => opening.type === type && isWide(opening))) continue;
     const { name } = BLOCKS[type];
     const write = (tags: DxfTags, owner: string) => writeOpeningBlock(tags, owner, BLOCKS[type]);
     drawing.blocks.push({ name, handle: nextHandle(), flags: 2, write });
   }
-  const boxes = new Map(openingBoxes({ ...storey, openings }).map((box) => [box.number, box.base]));
+  const boxes = new Map(openingBoxes(storey).map((box) => [box.number, box.base]));
   const walls = storey.walls.map(({ outline }) => inBounds(outline));
-  openings.forEach((opening, number) => {
+  storey.openings.forEach((opening, number) => {
+    if (!isWide(opening)) return;
     const { type, from, to, sill, head, confidence } = opening;
     const box = boxes.get(number);
     const { low, high } =

@@ -30,8 +30,6 @@ const OUTSIDE = 0.03;
 const FLUSH = 3e-3;
 /** Less than this of a wall, m², is no part of an opening's way. */
 const LEAST_CUT = 1e-4;
-/** Walls further from an opening than it reaches, and this, are not looked at, m. */
-const BESIDE = 0.5;
 /** Doors and passages with a sill up to here interrupt a room's edge on the floor, m. */
 const THRESHOLD = 0.05;
 /** A room lies this far behind the face of its wall, m. */
@@ -61,21 +59,17 @@ function reachesOut({ outer }: Polygon, inside: readonly Polygon[]): boolean {
 
 /** Openings without width or height are left out. */
 export function openingParts(storey: Storey, walls: readonly WallPart[]): OpeningPart[] {
-  const boxes = walls.map(({ wall }) => boundsOf(wall.outline.outer));
-  const thickest = storey.walls.reduce<Wall | null>(
-    (most, wall) => (wall.thickness > (most?.thickness ?? 0) ? wall : most),
-    null,
-  );
-  const reach = (thickest?.thickness ?? 0) / 2 + BESIDE;
-  return storey.openings.flatMap((opening) => {
-    const width = Math.hypot(opening.to[0] - opening.from[0], opening.to[1] - opening.from[1]);
-    if (!(width > 0 && opening.head > opening.sill)) return [];
-    const ends = boundsOf([...opening.from, ...opening.to]);
-    const near = indicesNear(boxes, ends, reach);
-    // The thickest wall tells how deep to look, wherever it stands.
-    const looked = [...near.map((i) => storey.walls[i]), ...(thickest === null ? [] : [thickest])];
-    const [box = null] = openingBoxes({ ...storey, floor: 0, walls: looked, openings: [opening] });
-    return [{ opening, width, box, walls: box === null ? [] : crossed(box, near, walls) }];
+  const bounds = walls.map(({ wall }) => boundsOf(wall.outline.outer));
+  const boxes = new Map(openingBoxes(storey).map((box) => [box.number, box]));
+  return storey.openings.flatMap((opening, number): OpeningPart[] => {
+    const { from, to, sill, head } = opening;
+    const width = Math.hypot(to[0] - from[0], to[1] - from[1]);
+    if (!(width > 0 && head > sill)) return [];
+    const found = boxes.get(number);
+    if (found === undefined) return [{ opening, width, box: null, walls: [] }];
+    const near = indicesNear(bounds, boundsOf(found.base.outer), 0);
+    const box = { ...found, low: sill, high: head };
+    return [{ opening, width, box, walls: crossed(box, near, walls) }];
   });
 }
 

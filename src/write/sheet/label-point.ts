@@ -27,8 +27,9 @@ export function labelPoint({ outer, holes }: Polygon): readonly [x: number, y: n
   for (let round = 0; round < ROUNDS; round++) {
     for (let y = window.minY + cell / 2; y < window.maxY; y += cell) {
       for (let x = window.minX + cell / 2; x < window.maxX; x += cell) {
-        const distance = distanceInside(rings, x, y);
-        const score = distance - PULL * Math.hypot(x - centreX, y - centreY);
+        const pull = PULL * Math.sqrt((x - centreX) ** 2 + (y - centreY) ** 2);
+        const distance = distanceInside(rings, x, y, Math.max(0, bestScore + pull));
+        const score = distance - pull;
         if (distance <= 0 || score <= bestScore) continue;
         best = [x, y, distance];
         bestScore = score;
@@ -41,8 +42,9 @@ export function labelPoint({ outer, holes }: Polygon): readonly [x: number, y: n
   return best;
 }
 
-/** Distance to the nearest edge, below 0 outside. */
-function distanceInside(rings: readonly Ring[], x: number, y: number): number {
+/** Distance to the nearest edge; below 0 outside, and where it is no more than what it must be more than. */
+function distanceInside(rings: readonly Ring[], x: number, y: number, least: number): number {
+  const leastSquared = least * least;
   let isInside = false;
   let squared = Infinity;
   for (const ring of rings) {
@@ -54,6 +56,7 @@ function distanceInside(rings: readonly Ring[], x: number, y: number): number {
       const share =
         lengthSquared === 0 ? 0 : Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / lengthSquared));
       squared = Math.min(squared, (x - ax - share * dx) ** 2 + (y - ay - share * dy) ** 2);
+      if (squared < leastSquared) return -1;
     }
   }
   return (isInside ? 1 : -1) * Math.sqrt(squared);
