@@ -47,11 +47,22 @@ export const footprint = oncePer((storey: Storey) => {
  */
 export function carve(base: readonly Polygon[], secondary: readonly SecondaryBoundary[]): Polygon[] {
   let section = [...base];
-  for (const { outline, operation } of secondary) {
-    if (operation === 'subtract') section = combine('difference', section, [outline]);
-    if (operation === 'add') section = unite([...section, outline]);
+  for (const { operation, outlines } of runsOf(secondary)) {
+    if (operation === 'subtract') section = combine('difference', section, outlines);
+    if (operation === 'add') section = unite([...section, ...outlines]);
   }
   return separatePinches(section).sort((a, b) => polygonArea(b) - polygonArea(a));
+}
+
+/** Boundaries that follow each other with one operation, whose order does not count; independent ones left out. */
+function runsOf(secondary: readonly SecondaryBoundary[]) {
+  const runs: { operation: SecondaryBoundary['operation']; outlines: Polygon[] }[] = [];
+  for (const { operation, outline } of secondary) {
+    if (operation === 'independent') continue;
+    if (runs.at(-1)?.operation !== operation) runs.push({ operation, outlines: [] });
+    runs[runs.length - 1].outlines.push(outline);
+  }
+  return runs;
 }
 
 /** The union of areas; those that rounding alone keeps apart become one. */
