@@ -88,6 +88,7 @@ const CHANGES: Record<Exclude<ParamName, 'seed'>, Change> = {
   dimensions: { on: 'scan', to: { dimensions: 'none' } },
   drawPoints: { on: 'scan', to: { drawPoints: true } },
   dxfLayers: { on: 'scan', to: { dxfLayers: 'iso13567' } },
+  glbPacking: { on: 'scan', to: { glbPacking: 'meshopt' } },
   dxfCoordinates: { on: 'scan', to: { dxfCoordinates: 'local' } },
   csg: { on: 'slice', from: { secondaryCount: 1, csg: 'slabs' }, to: { csg: 'bsp' } },
 };
@@ -129,7 +130,7 @@ async function open(blob: Blob, name: string): Promise<Session> {
 
 /** What shows a change: drawings tell of nearly all that comes before them. */
 const formatsFor = (name: string) =>
-  PARAMS[name as ParamName].stage === 'sheet' ? ['svg', 'dxf'] : ['geojson', 'slice', 'glb'];
+  PARAMS[name as ParamName].stage === 'sheet' ? ['svg', 'dxf', 'glb'] : ['geojson', 'slice', 'glb'];
 
 async function fingerprint(name: string, on: Change['on'], options: Partial<Options>): Promise<string> {
   await session[on]!.update(options);

@@ -81,4 +81,12 @@ export const SHEET_PARAMS = {
     source: 'ours',
     advanced: true,
   }),
+  glbPacking: choice(['none', 'meshopt'], {
+    default: 'none',
+    stage: 'sheet',
+    label: 'GLB packing',
+    doc: 'Models as every program opens them, or packed by meshopt, without loss: half the size or less, for web viewers.',
+    source: 'ours',
+    advanced: true,
+  }),
 } as const satisfies Record<string, ParamRow>;

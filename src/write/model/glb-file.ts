@@ -1,6 +1,14 @@
 import { cloudBounds } from '../../core/cloud-bounds.ts';
+import {
+  packedBuffers,
+  padded,
+  plainBuffers,
+  type SharedView,
+  type ViewElement,
+  type ViewPacker,
+} from './glb-buffers.ts';
 
-/** Constants of [glTF] §4.4 and §5: GLB framing, accessor and buffer view types. */
+/** Constants of [glTF] §4.4 and §5: GLB framing and types of accessors. */
 const MAGIC = 0x46546c67;
 const JSON_CHUNK = 0x4e4f534a;
 const BIN_CHUNK = 0x004e4942;
@@ -8,20 +16,11 @@ const FLOAT = 5126;
 const UNSIGNED_INT = 5125;
 const UNSIGNED_SHORT = 5123;
 const UNSIGNED_BYTE = 5121;
-const VERTICES = 34962;
-const ELEMENTS = 34963;
 /** Indices of so many vertices fit two bytes; the highest number restarts primitives. */
 const SHORT_LIMIT = 65535;
 
 /** The lists of a glTF file that name each other by index. */
 type List = 'nodes' | 'meshes' | 'materials';
-
-/** What all accessors of one sort share: so a file of thousands of meshes has a handful of buffer views. */
-interface SharedView {
-  readonly pieces: Uint8Array[];
-  readonly facts: object;
-  length: number;
-}
 
 /** A glTF file in the making: data goes into shared views, everything else into lists. */
 export class GlbFile {
@@ -48,7 +47,7 @@ export class GlbFile {
   /** @param colours r, g, b, a a vertex, linear. @returns index of the accessor */
   addColours(colours: Uint8Array): number {
     const facts = { componentType: UNSIGNED_BYTE, normalized: true, type: 'VEC4', count: colours.length / 4 };
-    return this.#access('colour', colours, facts, { target: VERTICES, byteStride: 4 });
+    return this.#access('colour', colours, facts, { stride: 4, isIndices: false });
   }
 
   /** @returns index of the accessor */
@@ -57,21 +56,22 @@ export class GlbFile {
     const componentType = isShort ? UNSIGNED_SHORT : UNSIGNED_INT;
     const data = isShort ? Uint16Array.from(indices) : indices;
     const facts = { componentType, type: 'SCALAR', count: indices.length };
-    return this.#access(isShort ? 'short' : 'long', data, facts, { target: ELEMENTS });
+    const element = { stride: data.BYTES_PER_ELEMENT, isIndices: true };
+    return this.#access(isShort ? 'short' : 'long', data, facts, element);
   }
 
   #vertices(view: string, data: Float32Array, range: object): number {
     const facts = { componentType: FLOAT, type: 'VEC3', count: data.length / 3, ...range };
-    return this.#access(view, data, facts, { target: VERTICES, byteStride: 12 });
+    return this.#access(view, data, facts, { stride: 12, isIndices: false });
   }
 
   #access(
     name: string,
     data: Float32Array | Uint8Array | Uint16Array | Uint32Array,
     facts: object,
-    viewFacts: object,
+    element: ViewElement,
   ): number {
-    const view = this.#views.get(name) ?? { pieces: [], facts: viewFacts, length: 0 };
+    const view = this.#views.get(name) ?? { ...element, pieces: [], length: 0 };
     this.#views.set(name, view);
     const bufferView = [...this.#views.keys()].indexOf(name);
     this.#accessors.push({ bufferView, byteOffset: view.length, ...facts });
@@ -80,38 +80,18 @@ export class GlbFile {
     return this.#accessors.length - 1;
   }
 
-  /** @param root asset, scene and scenes */
-  toBytes(root: object): Uint8Array<ArrayBuffer> {
-    const views: object[] = [];
-    let length = 0;
-    for (const { facts, length: byteLength } of this.#views.values()) {
-      views.push({ buffer: 0, byteOffset: length, byteLength, ...facts });
-      length = padded(length + byteLength);
-    }
-    const buffers = length > 0 ? [{ byteLength: length }] : [];
-    const lists = { ...this.#lists, accessors: this.#accessors, bufferViews: views, buffers };
+  /** @param root asset, scene and scenes @param packer of the views, which stay as they are without one */
+  toBytes(root: object, packer?: ViewPacker): Uint8Array<ArrayBuffer> {
+    const views = [...this.#views.values()];
+    const { extension, data, ...buffers } = packer ? packedBuffers(views, packer) : plainBuffers(views);
+    const used = extension === undefined ? [] : [extension];
+    const lists = { ...this.#lists, ...buffers, accessors: this.#accessors };
+    const named = { extensionsUsed: used, extensionsRequired: used, ...lists };
     // glTF has no empty lists.
-    const filled = Object.entries(lists).filter(([, list]) => list.length > 0);
-    return frame(JSON.stringify({ ...root, ...Object.fromEntries(filled) }), this.#joined(length));
-  }
-
-  /** Each view at a multiple of four bytes, as glTF asks. */
-  #joined(length: number): Uint8Array {
-    const joined = new Uint8Array(length);
-    let start = 0;
-    for (const view of this.#views.values()) {
-      let offset = start;
-      for (const piece of view.pieces) {
-        joined.set(piece, offset);
-        offset += piece.length;
-      }
-      start = padded(offset);
-    }
-    return joined;
+    const filled = Object.entries(named).filter(([, list]) => list.length > 0);
+    return frame(JSON.stringify({ ...root, ...Object.fromEntries(filled) }), data);
   }
 }
-
-const padded = (length: number): number => 4 * Math.ceil(length / 4);
 
 /** GLB: a header of 12 bytes, then chunks of a length, a type and content padded to four bytes. */
 function frame(gltf: string, binary: Uint8Array): Uint8Array<ArrayBuffer> {

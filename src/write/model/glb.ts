@@ -5,6 +5,7 @@ import { rounded } from '../decimals.ts';
 import { noPointsFor, type Product } from '../plan-writer.ts';
 import { flattenMesh } from './flat-mesh.ts';
 import { GlbFile } from './glb-file.ts';
+import { meshoptPacker } from './meshopt-packer.ts';
 import { MATERIALS, type MaterialName, modelParts } from './model-parts.ts';
 
 /** Points of the cloud that go along where asked for: a few MB. */
@@ -21,7 +22,7 @@ const DIGITS = 4;
  * Coordinates are float32 relative to the frame's origin, which stands with full digits in `asset.extras.frame`, so
  * a building at UTM coordinates loses nothing.
  */
-export function writeGlb(product: Product): Uint8Array<ArrayBuffer> {
+export async function writeGlb(product: Product): Promise<Uint8Array<ArrayBuffer>> {
   const file = new GlbFile();
   return finish(file, product, addStoreys(file, product));
 }
@@ -31,7 +32,7 @@ export function writeGlb(product: Product): Uint8Array<ArrayBuffer> {
  *
  * @throws result/cannot-write for a plan without its scan
  */
-export function writeCloudGlb(product: Product): Uint8Array<ArrayBuffer> {
+export async function writeCloudGlb(product: Product): Promise<Uint8Array<ArrayBuffer>> {
   const { crop, outliers } = product;
   if (crop === undefined) throw noPointsFor('plan.points.glb', 'glb-points');
   const file = new GlbFile();
@@ -40,12 +41,17 @@ export function writeCloudGlb(product: Product): Uint8Array<ArrayBuffer> {
   return finish(file, product, nodes);
 }
 
-function finish(file: GlbFile, { name, plan }: Product, nodes: readonly number[]): Uint8Array<ArrayBuffer> {
-  return file.toBytes({
+async function finish(
+  file: GlbFile,
+  { name, plan, options }: Product,
+  nodes: readonly number[],
+): Promise<Uint8Array<ArrayBuffer>> {
+  const root = {
     asset: { version: '2.0', generator: 'Grundriss', extras: { frame: plan.frame } },
     scene: 0,
     scenes: [nodes.length > 0 ? { name, nodes } : { name }],
-  });
+  };
+  return file.toBytes(root, options.glbPacking === 'meshopt' ? await meshoptPacker() : undefined);
 }
 
 /** @returns the nodes of storeys that have parts; a node without any would be empty */

@@ -1,4 +1,7 @@
 import { validateBytes } from 'gltf-validator';
+import { MeshoptDecoder } from 'meshoptimizer/decoder';
+import { Mesh } from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { expect, test } from 'vitest';
 import type { PointCloud } from '../../../../src/core/types.ts';
 import { checkSolid } from '../../../../src/solid/check-solid.ts';
@@ -56,7 +59,7 @@ function read(glb: Uint8Array<ArrayBuffer>) {
 }
 
 async function issuesOf(product: Product, write = writeGlb): Promise<unknown> {
-  const { issues } = await validateBytes(write(product));
+  const { issues } = await validateBytes(await write(product));
   return { errors: issues.numErrors, warnings: issues.numWarnings, messages: issues.messages };
 }
 
@@ -81,7 +84,7 @@ test('read back it is the solid: y up, metres, every group closed', async () => 
   const [storey] = facts.storeys!;
   const secondary = storey.secondary!.map((boundary) => ({ ...boundary, type: 'shaft' as const }));
   const product = await productOf({ ...facts, storeys: [{ ...storey, secondary }] });
-  const { gltf, floats, shorts } = read(writeGlb(product));
+  const { gltf, floats, shorts } = read(await writeGlb(product));
   let volume = 0;
   for (const { mesh } of gltf.nodes) {
     if (mesh === undefined) continue;
@@ -103,14 +106,14 @@ test('read back it is the solid: y up, metres, every group closed', async () => 
 });
 
 test('north in the plan is away from the viewer, not mirrored', async () => {
-  const { gltf, floats } = read(writeGlb(await productOf(home())));
+  const { gltf, floats } = read(await writeGlb(await productOf(home())));
   const [{ attributes }] = gltf.meshes[0].primitives;
   const depths = floats(attributes.POSITION).filter((_, i) => i % 3 === 2);
   expect([Math.min(...depths), Math.max(...depths)].map((value) => value + 0)).toEqual([-9, 0]);
 });
 
 test('faces are flat: every normal is a unit vector square to its triangle', async () => {
-  const { gltf, floats, shorts } = read(writeGlb(await productOf(home())));
+  const { gltf, floats, shorts } = read(await writeGlb(await productOf(home())));
   const [{ attributes, indices }] = gltf.meshes[0].primitives;
   const [p, n, order] = [floats(attributes.POSITION), floats(attributes.NORMAL), shorts(indices)];
   for (let i = 0; i < order.length; i += 3) {
@@ -125,14 +128,14 @@ test('faces are flat: every normal is a unit vector square to its triangle', asy
 
 test('one material a kind, and the far origin kept with all its digits', async () => {
   const origin = [691_000.1234567, 5_334_000.7654321, 512.5] as const;
-  const { gltf } = read(writeGlb(await productOf({ ...home(), frame: { origin } })));
+  const { gltf } = read(await writeGlb(await productOf({ ...home(), frame: { origin } })));
   expect(gltf.materials.map(({ name }) => name)).toEqual(['wall', 'floor', 'secondary']);
   expect(gltf.asset.extras.frame.origin).toEqual([...origin]);
 });
 
 test('a node a storey that tells its rooms, in it a node a part; glass lets light through', async () => {
   const product = await productOf(furnished({ storeys: [FURNISHED, FURNISHED] }));
-  const { gltf } = read(writeGlb(product));
+  const { gltf } = read(await writeGlb(product));
   const storeys = gltf.scenes[0].nodes!.map((node) => gltf.nodes[node]);
   expect(storeys.map(({ name }) => name)).toEqual(['storey-0', 'storey-1']);
   const [{ name, height }] = FURNISHED.rooms!;
@@ -166,10 +169,52 @@ test('the cloud goes along where asked for: in place, without outliers, its colo
   };
   const withCloud = { ...product, crop: cloud, outliers: Uint32Array.of(0, 2) };
   expect(await issuesOf(withCloud, writeCloudGlb)).toEqual(CLEAN);
-  const { gltf, floats, bytes } = read(writeCloudGlb(withCloud));
+  const { gltf, floats, bytes } = read(await writeCloudGlb(withCloud));
   const node = gltf.nodes.find(({ name }) => name === 'cloud')!;
   const [{ attributes }] = gltf.meshes[node.mesh!].primitives;
   expect([...floats(attributes.POSITION)]).toEqual([1, 3, -2, 4, 6, -5]);
   expect([...bytes(attributes.COLOR_0)]).toEqual([255, 0, 128, 255, 0, 0, 0, 255]);
-  expect(() => writeCloudGlb(product)).toThrow(expect.objectContaining({ code: 'result/cannot-write' }));
+  await expect(writeCloudGlb(product)).rejects.toMatchObject({ code: 'result/cannot-write' });
 });
+
+test('packed by meshopt, three reads the same numbers from fewer bytes', async () => {
+  const plain = await productOf(furnished());
+  const packed = { ...plain, options: { ...plain.options, glbPacking: 'meshopt' as const } };
+  const [small, large] = [await writeGlb(packed), await writeGlb(plain)];
+  expect(small.length).toBeLessThan(0.9 * large.length);
+  const { issues } = await validateBytes(small);
+  expect({ errors: issues.numErrors, warnings: issues.numWarnings }).toEqual({ errors: 0, warnings: 0 });
+  const [got, wanted] = [await meshesOf(small), await meshesOf(large)];
+  expect(got.size).toBeGreaterThan(2);
+  expect(got).toEqual(wanted);
+});
+
+test('an empty solid has nothing to pack', async () => {
+  const product = await productOf();
+  const solid = { positions: new Float64Array(0), indices: new Uint32Array(0), groups: [] };
+  const options = { ...product.options, glbPacking: 'meshopt' as const };
+  expect(await issuesOf({ ...product, solid, options })).toEqual(CLEAN);
+});
+
+/** Corners and normals of each node's triangles, as three reads them. */
+async function meshesOf(glb: Uint8Array<ArrayBuffer>): Promise<Map<string, number[][]>> {
+  const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder);
+  const { scene } = await loader.parseAsync(glb.buffer, '');
+  const meshes = new Map<string, number[][]>();
+  scene.traverse((object) => {
+    if (!(object instanceof Mesh)) return;
+    const { position, normal } = object.geometry.toNonIndexed().attributes;
+    meshes.set(object.name, trianglesOf(position.array, normal.array));
+  });
+  return meshes;
+}
+
+/** Six numbers a corner, the least corner first: meshopt turns triangles. */
+function trianglesOf(positions: ArrayLike<number>, normals: ArrayLike<number>): number[][] {
+  const corner = (i: number) => [0, 1, 2].flatMap((k) => [positions[3 * i + k], normals[3 * i + k]]);
+  return Array.from({ length: positions.length / 9 }, (_, t) => {
+    const corners = [0, 1, 2].map((k) => corner(3 * t + k));
+    const turns = [0, 1, 2].map((k) => [0, 1, 2].flatMap((i) => corners[(i + k) % 3]));
+    return turns.toSorted((a, b) => (a.join() < b.join() ? -1 : 1))[0];
+  });
+}
