@@ -60,9 +60,13 @@ function goOnOver(overhead: Float32Array, { table, heights, endsAt }: ColumnTops
   }
 }
 
-function candidates({ heights: { floor, ceiling }, masks, planes, heightsAbove }: ColumnTops): Float32Array {
+function candidates({ heights, masks, planes, heightsAbove }: ColumnTops): Float32Array {
+  const { floor, ceiling, isOpenAbove } = heights;
+  // Without a ceiling, what lies level there are the tops of walls, seen from above.
+  const highest = isOpenAbove ? ceiling - LEAST_DROP : Infinity;
   return Float32Array.from(planes, (plane, c) => {
     if (plane & 2) return ceiling;
+    if (heightsAbove[c] > highest) return Number.NaN;
     // Noise spreads a surface over two bins.
     const lowest = highestBin(masks, c) - 1;
     const isClear = countBins(masks, c, lowest - CLEAR_BINS, lowest) === 0;

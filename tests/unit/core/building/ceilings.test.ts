@@ -104,6 +104,21 @@ describe('what hangs over a column', () => {
     expect(own.overhead[columnAt(own, 1.5, 2.01)]).toBeNaN();
   });
 
+  it('is not the top of a wall seen from above, under which there is no space either', () => {
+    const model = new Scan()
+      .level(0, [0, 0, 14, 4])
+      .wall(2, [0, 14], [0, 2.7])
+      .wall(2.12, [0, 14], [0, 2.7])
+      .level(2.7, [0, 2, 14, 2.12])
+      .cloud();
+    const own = columnsOf(model, { floor: 0, ceiling: 2.71, isOpenAbove: true });
+    const inWall = columnAt(own, 7, 2.06);
+    expect(own.overhead[inWall]).toBeNaN();
+    expect(isClearColumn(own, inWall)).toBe(false);
+    expect(seenSpace(own).isOpen(7, 2.06)).toBe(false);
+    expect(seenSpace(own).isOpen(7, 1)).toBe(true);
+  });
+
   it('does not make a wall of a lowered ceiling, nor hide one that stands below it', () => {
     const isWall = wallColumns(columns, localCeiling(columns));
     expect(isWall[columnAt(columns, 5, 3)]).toBe(0);
