@@ -1,7 +1,8 @@
 import { CellTable } from '../cell-table.ts';
 import { largestExtent, trimmedBounds } from '../cloud-bounds.ts';
 import { medianOf } from '../robust-scale.ts';
-import { type SmallestEigen, smallestEigen } from './symmetric-eigen.ts';
+import type { Vec3 } from '../types.ts';
+import { FEWEST_POINTS, type FittedCells, fitCells, type SampledPoints } from './fit-cells.ts';
 
 /**
  * More points than this are sampled by stride: the scan is sorted by lattice cell, so a stride thins evenly.
@@ -9,19 +10,20 @@ import { type SmallestEigen, smallestEigen } from './symmetric-eigen.ts';
 const POINTS_LOOKED_AT = 1_000_000;
 /** Enough for a covariance to show a plane under noise. */
 const POINTS_A_PATCH = 32;
-/** Fewer are stray points or the rim of a surface. */
-const FEWEST_POINTS = 5;
-/** A patch is a plane when its thickness is below this share of its width (standard deviations). */
-const FLATNESS = 0.35;
-/** … and its width no smaller than this share of its length: a line has no normal. */
-const ROUNDNESS = 0.2;
 /** Cells a cloud's longest side is cut into: first look, fewest and most. */
 const FIRST_DIVISION = 32;
 const DIVISION = { fewest: 10, most: 256 };
-/** x, y, z, xx, xy, xz, yy, yz, zz of a cell, relative to its corner. */
-const SUMS = 9;
+/** A cell that is no plane is looked at in halves along each axis … */
+const OCTANTS = 8;
+/** … for two layers: so many of its octants are planes at least, half of them in each … */
+const FEWEST_IN_LAYERS = 4;
+/** … whose normals differ by no more than this. */
+const SAME_WAY = Math.cos((20 * Math.PI) / 180);
 
-/** A cloud seen as small surfaces: one a voxel, of equal size whatever the density of points. */
+/**
+ * A cloud seen as small surfaces of equal size, whatever the density of points: one a voxel, or two where a voxel holds
+ * both faces of a slab.
+ */
 export interface SurfacePatches {
   readonly count: number;
   /** Edge of the voxels, source units; a patch stands for size² of surface. */
@@ -41,7 +43,8 @@ export interface SurfacePatches {
  *
  * Patches count by area, so a densely scanned wall weighs no more than a sparse one, and keep their normals,
  * so floors are told from walls even when the whole scan is tilted. Stray points fall into voxels of few
- * points and drop out. O(n), at most a million points are looked at.
+ * points and drop out. A slab or a thin wall seen from both sides makes two patches in one voxel. O(n), at most a million
+ * points are looked at.
  *
  * @param positions x, y, z a point, source units; not all equal
  */
@@ -63,14 +66,7 @@ export function surfacePatches(positions: Float32Array): SurfacePatches {
 
 type FittedPatches = Omit<SurfacePatches, 'stride'>;
 
-interface Sampled {
-  readonly positions: Float32Array;
-  readonly stride: number;
-  readonly sampled: number;
-  readonly origin: Float64Array;
-}
-
-function numberCells({ positions, stride, sampled, origin }: Sampled, size: number, table: CellTable) {
+function numberCells({ positions, stride, sampled, origin }: SampledPoints, size: number, table: CellTable) {
   const cellOf = new Int32Array(sampled);
   const [x0, y0, z0] = origin;
   for (let i = 0; i < sampled; i++) {
@@ -84,72 +80,88 @@ function numberCells({ positions, stride, sampled, origin }: Sampled, size: numb
   return cellOf;
 }
 
-function fitPatches(at: Sampled, size: number, cellOf: Int32Array, cells: number): FittedPatches {
-  const { positions, stride, sampled } = at;
-  const sums = new Float64Array(cells * SUMS);
-  const counts = new Uint32Array(cells);
-  const anchors = new Float64Array(cells * 3);
-  for (let i = 0; i < sampled; i++) {
-    const p = 3 * i * stride;
-    const cell = cellOf[i];
-    if (counts[cell]++ === 0) anchors.set(positions.subarray(p, p + 3), 3 * cell);
-    const x = positions[p] - anchors[3 * cell];
-    const y = positions[p + 1] - anchors[3 * cell + 1];
-    const z = positions[p + 2] - anchors[3 * cell + 2];
-    const s = cell * SUMS;
-    sums[s] += x;
-    sums[s + 1] += y;
-    sums[s + 2] += z;
-    sums[s + 3] += x * x;
-    sums[s + 4] += x * y;
-    sums[s + 5] += x * z;
-    sums[s + 6] += y * y;
-    sums[s + 7] += y * z;
-    sums[s + 8] += z * z;
+function fitPatches(at: SampledPoints, size: number, cellOf: Int32Array, cells: number): FittedPatches {
+  const whole = fitCells(at, cellOf, cells);
+  const unclear = numberUnclear(whole);
+  const octants = fitCells(
+    at,
+    octantsOf(at, size, cellOf, unclear),
+    OCTANTS * unclear.filter((number) => number >= 0).length,
+  );
+  const [centroids, normals, thicknesses]: number[][] = [[], [], []];
+  const add = ({ centroid, normal }: Patch) => {
+    centroids.push(...centroid);
+    normals.push(...normal);
+  };
+  for (let cell = 0; cell < cells; cell++) {
+    if (whole.counts[cell] < FEWEST_POINTS) continue;
+    if (unclear[cell] < 0) thicknesses.push(whole.thickness[cell]);
+    const layers = unclear[cell] < 0 ? [] : layersIn(octants, OCTANTS * unclear[cell]);
+    for (const patch of layers.length > 0 ? layers : [patchOf(whole, cell)]) add(patch);
   }
-  return planesOf(sums, counts, anchors, size);
+  return {
+    count: centroids.length / 3,
+    size,
+    centroids: Float64Array.from(centroids),
+    normals: Float64Array.from(normals),
+    noise: thicknesses.length > 0 ? medianOf(Float64Array.from(thicknesses)) : 0,
+  };
 }
 
-function planesOf(
-  sums: Float64Array,
-  counts: Uint32Array,
-  anchors: Float64Array,
-  size: number,
-): FittedPatches {
-  const centroids = new Float64Array(anchors.length);
-  const normals = new Float64Array(anchors.length);
-  const thicknesses: number[] = [];
-  const eigen: SmallestEigen = { values: new Float64Array(3), vector: new Float64Array(3) };
-  const covariance = new Float64Array(6);
+interface Patch {
+  readonly centroid: Vec3;
+  /** Zero for what is no plane. */
+  readonly normal: Vec3;
+}
+
+/** Numbers the cells that are no plane; −1 for the others. */
+function numberUnclear({ isPlane }: FittedCells): Int32Array {
   let count = 0;
-  for (let cell = 0; cell < counts.length; cell++) {
-    const n = counts[cell];
-    if (n < FEWEST_POINTS) continue;
-    const s = cell * SUMS;
-    const [x, y, z] = [sums[s] / n, sums[s + 1] / n, sums[s + 2] / n];
-    covariance[0] = sums[s + 3] / n - x * x;
-    covariance[1] = sums[s + 4] / n - x * y;
-    covariance[2] = sums[s + 5] / n - x * z;
-    covariance[3] = sums[s + 6] / n - y * y;
-    covariance[4] = sums[s + 7] / n - y * z;
-    covariance[5] = sums[s + 8] / n - z * z;
-    centroids[3 * count] = anchors[3 * cell] + x;
-    centroids[3 * count + 1] = anchors[3 * cell + 1] + y;
-    centroids[3 * count + 2] = anchors[3 * cell + 2] + z;
-    smallestEigen(covariance, eigen);
-    const [thin, wide, long] = eigen.values;
-    if (thin < FLATNESS ** 2 * wide && wide > ROUNDNESS ** 2 * long) {
-      normals.set(eigen.vector, 3 * count);
-      thicknesses.push(Math.sqrt(Math.max(0, thin)));
-    }
-    count++;
-  }
-  const noise = thicknesses.length > 0 ? medianOf(Float64Array.from(thicknesses)) : 0;
-  return {
-    count,
-    size,
-    centroids: centroids.slice(0, 3 * count),
-    normals: normals.slice(0, 3 * count),
-    noise,
-  };
+  return Int32Array.from(isPlane, (plane) => (plane === 1 ? -1 : count++));
+}
+
+/** The octant of each point in an unclear cell; −1 for the others. */
+function octantsOf(at: SampledPoints, size: number, cellOf: Int32Array, unclear: Int32Array): Int32Array {
+  const { positions, stride, origin } = at;
+  const half = 2 / size;
+  return cellOf.map((cell, i) => {
+    if (unclear[cell] < 0) return -1;
+    const p = 3 * i * stride;
+    let octant = OCTANTS * unclear[cell];
+    for (let k = 0; k < 3; k++) octant += (Math.floor((positions[p + k] - origin[k]) * half) & 1) << k;
+    return octant;
+  });
+}
+
+/**
+ * The two faces of a slab or a thin wall in one cell: octants that are planes and face the same way, in two layers. None
+ * where they are no such pair, so that edges and clutter stay no planes.
+ */
+function layersIn(octants: FittedCells, first: number): Patch[] {
+  const planes: number[] = [];
+  for (let k = first; k < first + OCTANTS; k++) if (octants.isPlane[k] === 1) planes.push(k);
+  if (planes.length < FEWEST_IN_LAYERS) return [];
+  const { normal } = patchOf(octants, planes[0]);
+  const across = (k: number) => dot(patchOf(octants, k).centroid, normal);
+  if (planes.some((k) => Math.abs(dot(patchOf(octants, k).normal, normal)) < SAME_WAY)) return [];
+  const [low, high] = [Math.min(...planes.map(across)), Math.max(...planes.map(across))];
+  const isLow = (k: number) => across(k) < (low + high) / 2;
+  const layers = [planes.filter(isLow), planes.filter((k) => !isLow(k))];
+  if (layers.some((layer) => layer.length < FEWEST_IN_LAYERS / 2)) return [];
+  return layers.map((layer) => ({
+    normal,
+    centroid: meanOf(layer.map((k) => patchOf(octants, k).centroid)),
+  }));
+}
+
+function patchOf({ centroids, normals }: FittedCells, cell: number): Patch {
+  const at = (values: Float64Array): Vec3 => [values[3 * cell], values[3 * cell + 1], values[3 * cell + 2]];
+  return { centroid: at(centroids), normal: at(normals) };
+}
+
+const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+function meanOf(places: readonly Vec3[]): Vec3 {
+  const mean = (k: number) => places.reduce((sum, place) => sum + place[k], 0) / places.length;
+  return [mean(0), mean(1), mean(2)];
 }
