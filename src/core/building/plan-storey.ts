@@ -1,5 +1,5 @@
 import { withArcs } from '../geometry/ring-arcs.ts';
-import { centroid, perimeter } from '../geometry/rings.ts';
+import { perimeter } from '../geometry/rings.ts';
 import { medianOf } from '../robust-scale.ts';
 import { automaticName } from '../room-names.ts';
 import type {
@@ -29,6 +29,7 @@ import {
   stretchAt,
 } from './openings/look-into-walls.ts';
 import { wallStrip } from './openings/wall-strip.ts';
+import { inReadingOrder } from './reading-order.ts';
 import { findRooms } from './space/find-rooms.ts';
 import { aroundStructures } from './structures/around-structures.ts';
 import { findStructures } from './structures/find-structures.ts';
@@ -44,8 +45,6 @@ const FACE_BAND = 0.03;
 const FACE_DEVIATIONS = 3;
 /** Least noise of a face, m, where none is known. */
 const USUAL_NOISE = 0.01;
-/** Rows of rooms are read from above: rooms whose middles differ by less than this in height are in one, m. */
-const READING_ROW = 2;
 
 /** What a storey holds; metres, plan frame. */
 export interface StoreyPlan extends StoreyHeights {
@@ -112,15 +111,6 @@ export function planStorey(
     unseen: byRoom.flatMap((gaps, i) => gaps.map((gap) => ({ ...gap, room: automaticName(i) }))),
     ...(hasFurniture && { furniture: findFurniture({ cloud, columns, ceiling, noise, rooms, secondary }) }),
   };
-}
-
-/** Row by row from above, each from left to right. */
-function inReadingOrder(outlines: readonly Polygon[]): Polygon[] {
-  const placed = outlines.map((outline) => {
-    const [x, y] = centroid(outline.outer);
-    return { outline, x, row: Math.round(-y / READING_ROW) };
-  });
-  return placed.sort((a, b) => a.row - b.row || a.x - b.x).map(({ outline }) => outline);
 }
 
 function unseenOf(site: LookSite, edge: RoomEdge, looks: readonly LookedInto[]): Gap[] {

@@ -1,5 +1,6 @@
 import { circlesOf } from '../../core/geometry/ring-arcs.ts';
 import { boundsOfAll } from '../../core/geometry/rings.ts';
+import { rotationBy, turnToSquare } from '../../core/geometry/square-turn.ts';
 import { mapped, TEXT_SIZES } from '../../core/sheet.ts';
 import { sourceCoordinates } from '../../core/source-coordinates.ts';
 import type { FloorPlan, Frame, FrameUnit, Polygon, Storey, Vec2 } from '../../core/types.ts';
@@ -9,7 +10,6 @@ import type { Product } from '../plan-writer.ts';
 import { cutWalls } from '../sheet/cut-walls.ts';
 import { EXTENSION, extentOf, type Inside, TEXT_GAP, TICK } from '../sheet/dimensions.ts';
 import { INCHES_PER_FOOT, METRES_PER_FOOT } from '../sheet/measure-words.ts';
-import { rotationBy, turnToSquare } from '../sheet/sheet-turn.ts';
 import { CAPITAL, widthByCapitals } from '../sheet/text-width.ts';
 import { type DimensionFacts, drawDxfDimensions } from './dxf-dimensions.ts';
 import { DxfDrawing, type DxfText } from './dxf-drawing.ts';

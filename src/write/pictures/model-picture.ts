@@ -1,7 +1,7 @@
 import { countOf } from '../../core/count-words.ts';
 import { isCounterClockwise, ringsOf } from '../../core/geometry/rings.ts';
+import { turnToSquare } from '../../core/geometry/square-turn.ts';
 import type { StageResults } from '../../core/stage-results.ts';
-import { turnToSquare } from '../sheet/sheet-turn.ts';
 import { path } from './marks.ts';
 import { sideColour, topColour } from './model-clay.ts';
 import { type Eye, makeEye } from './model-eye.ts';

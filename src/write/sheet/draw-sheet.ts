@@ -3,6 +3,7 @@ import { areaOf, combine } from '../../core/geometry/areas.ts';
 import type { Circle } from '../../core/geometry/circle.ts';
 import { circlesOf } from '../../core/geometry/ring-arcs.ts';
 import { type Bounds, perimeter, ringsOf } from '../../core/geometry/rings.ts';
+import { rotationBy, turnToSquare } from '../../core/geometry/square-turn.ts';
 import type { Options } from '../../core/params.ts';
 import {
   type Affine,
@@ -36,7 +37,6 @@ import { drawRoomDimensions } from './room-dimensions.ts';
 import { drawnName, placeLabels } from './room-labels.ts';
 import { HATCHES } from './secondary-hatch.ts';
 import { fitPage, type Page } from './sheet-page.ts';
-import { rotationBy, turnToSquare } from './sheet-turn.ts';
 import { drawTitleBlock, type LegendEntry } from './title-block.ts';
 
 /** Decimals of metres in data attributes: 0.1 mm. */
@@ -273,7 +273,7 @@ function titleWords(
   return {
     title: project || (name.trim() === '' ? 'Floor plan' : name),
     lines: [
-      [count === 1 ? 'Floor plan' : `Floor plan, storey ${storey.index} of 0 to ${count - 1}`, date]
+      [count === 1 ? 'Floor plan' : `Floor plan, storey ${storey.index} (0 to ${count - 1})`, date]
         .filter((part) => part !== '')
         .join(', '),
       `Inside ${inner}, with walls ${outer}, height ${height}`,

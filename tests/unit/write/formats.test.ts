@@ -82,8 +82,8 @@ test('several storeys: drawn formats once a storey, the others with all of them'
   expect(namesOf(await writeFiles(product, 'geojson'))).toEqual(['plan.geojson']);
   expect(namesOf(await writeFiles(product, 'slice'))).toEqual(['slice.csv']);
   const [ground, first] = (await writeFiles(product, 'svg')).map(({ content }) => content as string);
-  expect(ground).toContain('storey 0 of 0 to 1');
-  expect(first).toContain('storey 1 of 0 to 1');
+  expect(ground).toContain('storey 0 (0 to 1)');
+  expect(first).toContain('storey 1 (0 to 1)');
 });
 
 test('every file has a media type and something in it, and is the same when written again', async () => {

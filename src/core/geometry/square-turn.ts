@@ -1,5 +1,5 @@
-import type { Affine } from '../../core/sheet.ts';
-import type { Polygon } from '../../core/types.ts';
+import type { Affine } from '../sheet.ts';
+import type { Polygon } from '../types.ts';
 
 /** The walls' direction is clear when this share of their length agrees on it; a round hall has none. */
 const AGREED = 0.5;
