@@ -2,45 +2,67 @@ import type { Gap } from '../../types.ts';
 import type { WallStrip } from '../openings/wall-strip.ts';
 import type { RoomEdge } from './room-edges.ts';
 
-/** Bits of a face that are seen or not, m. */
-const STEP = 0.1;
+/** A face is looked at through a window this wide, m, moved on by steps of a part of it. */
+const STEP = 0.025;
+const STEPS_A_WINDOW = 4;
 /** Shortest stretch told, m: voxels leave shorter ones in any wall. */
 const SHORTEST = 0.3;
-/** Height over which a bit must have points to be seen, m. */
+/** Height over which a window must have points to be seen, m. */
 const LEAST_HEIGHT = 0.1;
 
-/** The stretches of a face that no point supports and no opening explains. */
+/** A part of an edge, as places along it, m. */
+interface Part {
+  readonly from: number;
+  readonly to: number;
+}
+
+/** The stretches of a face that no point supports and no opening explains. O(points + length). */
 export function unseenStretches(
   { ax, ay, ux, uy, length }: RoomEdge,
-  { count, along, deep, high }: WallStrip,
+  strip: WallStrip,
   band: number,
-  openings: readonly { readonly from: number; readonly to: number }[],
+  openings: readonly Part[],
 ): Gap[] {
-  const bits = Math.max(1, Math.ceil(length / STEP));
-  const low = new Float64Array(bits).fill(Infinity);
-  const top = new Float64Array(bits).fill(-Infinity);
-  for (let i = 0; i < count; i++) {
-    if (Math.abs(deep[i]) > band) continue;
-    const bit = Math.min(bits - 1, Math.floor(along[i] / STEP));
-    low[bit] = Math.min(low[bit], high[i]);
-    top[bit] = Math.max(top[bit], high[i]);
-  }
-  const isSeen = (k: number) => {
-    const middle = (k + 0.5) * STEP;
-    return top[k] - low[k] >= LEAST_HEIGHT || openings.some(({ from, to }) => middle > from && middle < to);
+  const isSeen = seenWindows(strip, length, band);
+  const isOpen = (window: number) => {
+    const middle = (window + STEPS_A_WINDOW / 2) * STEP;
+    return openings.some(({ from, to }) => middle > from && middle < to);
   };
   const stretches: Gap[] = [];
-  for (let k = 0, begin = 0; k <= bits; k++) {
-    if (k < bits && !isSeen(k)) continue;
-    const [from, to] = [begin * STEP, Math.min(length, k * STEP)];
-    if (to - from >= SHORTEST) {
-      stretches.push({
-        from: [ax + from * ux, ay + from * uy],
-        to: [ax + to * ux, ay + to * uy],
-        width: to - from,
-      });
+  for (let window = 0, begin = 0; window <= isSeen.length; window++) {
+    if (window < isSeen.length && isSeen[window] === 0 && !isOpen(window)) continue;
+    const whole = { from: begin * STEP, to: Math.min(length, (window - 1 + STEPS_A_WINDOW) * STEP) };
+    const { from, to } = besideOpenings(whole, openings);
+    if (window > begin && to - from >= SHORTEST) {
+      const at = (along: number) => [ax + along * ux, ay + along * uy] as const;
+      stretches.push({ from: at(from), to: at(to), width: to - from });
     }
-    begin = k + 1;
+    begin = window + 1;
   }
   return stretches;
+}
+
+/** 1 for the windows in which points of a face lie over some height, from the start of an edge to its end. */
+function seenWindows({ count, along, deep, high }: WallStrip, length: number, band: number): Uint8Array {
+  const steps = Math.max(STEPS_A_WINDOW, Math.ceil(length / STEP));
+  const low = new Float64Array(steps).fill(Infinity);
+  const top = new Float64Array(steps).fill(-Infinity);
+  for (let i = 0; i < count; i++) {
+    if (Math.abs(deep[i]) > band) continue;
+    const step = Math.min(steps - 1, Math.floor(along[i] / STEP));
+    low[step] = Math.min(low[step], high[i]);
+    top[step] = Math.max(top[step], high[i]);
+  }
+  return Uint8Array.from({ length: steps - STEPS_A_WINDOW + 1 }, (_, window) => {
+    const end = window + STEPS_A_WINDOW;
+    const seen = Math.max(...top.subarray(window, end)) - Math.min(...low.subarray(window, end));
+    return seen >= LEAST_HEIGHT ? 1 : 0;
+  });
+}
+
+/** A part without the openings that it begins or ends in. */
+function besideOpenings({ from, to }: Part, openings: readonly Part[]): Part {
+  const first = openings.find((opening) => opening.from < from && from < opening.to);
+  const last = openings.find((opening) => opening.from < to && to < opening.to);
+  return { from: first?.to ?? from, to: last?.from ?? to };
 }
