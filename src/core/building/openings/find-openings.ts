@@ -1,13 +1,20 @@
 import type { PlacedOpening } from './joined-openings.ts';
-import { faceHeights, revealLevels, type Stretch } from './opening-heights.ts';
+import { faceHeights } from './opening-heights.ts';
+import { revealLevels } from './reveal-levels.ts';
 import { leafParts, type VoidPart, voidParts } from './void-parts.ts';
-import { FEWEST, faceBand, STEP, type WallLook } from './wall-look.ts';
+import {
+  FEWEST,
+  faceBand,
+  STEP,
+  type Stretch,
+  THROUGH_SHARE,
+  throughShare,
+  type WallLook,
+} from './wall-look.ts';
 import type { WallStretch, WallStrip } from './wall-strip.ts';
 
 /** Heights are looked for so far off the ends of an opening, m, or a quarter of its width where it is narrow. */
 const OFF_ENDS = 0.1;
-/** Where floor or ceiling shows over this share of a width, the scan sees through. */
-const THROUGH_SHARE = 0.4;
 /** Least height of an opening, m. */
 const LEAST_OPEN = 0.3;
 /** A door's sill is no higher, its head no lower, m. */
@@ -60,8 +67,10 @@ function openingIn(look: WallLook, part: VoidPart, band: number): FoundOpening |
   const { head, sill } = isClosed ? { head: null, sill: null } : revealLevels(look.strip, reveals, stretch);
   const through = throughShare(look, stretch);
   const isSeenThrough = jambs > 0 && through >= THROUGH_SHARE;
-  if (head === null && sill === null && !isSeenThrough && !isClosed && !part.isFramed) return null;
   const faces = faceHeights(look, stretch, band, isClosed);
+  const isRinged = jambs > 0 && faces.sill > DOOR_SILL && faces.head < look.ceiling - NO_LINTEL;
+  const isHole = head !== null || sill !== null || isSeenThrough || isRinged || part.isFramed;
+  if (!isHole && !isClosed) return null;
   const [bottom, top] = [sill ?? faces.sill, head ?? faces.head];
   if (top - bottom < LEAST_OPEN) return null;
   const isLow = bottom <= DOOR_SILL && top >= LEAST_HEAD;
@@ -85,15 +94,6 @@ function revealDepth({ along, deep }: WallStrip, { from, to, reveals }: VoidPart
   if (own.length < FEWEST) return Number.NaN;
   const depths = Float64Array.from(own, (i) => deep[i]).sort();
   return depths[Math.floor(REVEAL_SHARE * (depths.length - 1))];
-}
-
-function throughShare({ isThrough }: WallLook, { begin, end }: Stretch): number {
-  let [through, count] = [0, 0];
-  for (let along = begin; along <= end; along += STEP) {
-    count++;
-    if (isThrough(along)) through++;
-  }
-  return through / count;
 }
 
 /** A hole of a stretch of wall in the plan, its line `deep` behind the face, m. */

@@ -1,58 +1,9 @@
 import { medianOf } from '../../robust-scale.ts';
 import { DEEPEST_LEAF, LEAST_RECESS } from './void-parts.ts';
-import { FEWEST, LOOK_FROM, LOOK_TO, STEP, type WallLook } from './wall-look.ts';
-import type { WallStrip } from './wall-strip.ts';
+import { FEWEST, LOOK_FROM, LOOK_TO, STEP, type Stretch, type WallLook } from './wall-look.ts';
 
-/** Heads and sills may reach so far into the heights looked at, m. */
-const INTO_LOOK = 0.05;
-/** A sill or a head is level within this, m … */
-const LEVEL_REACH = 0.03;
-/** … and seen over this share of the width. */
-const LEVEL_SHARE = 0.4;
 /** A face stands at a height where it has points over this share of the width. */
 const STANDING_SHARE = 0.4;
-
-/** A stretch along a wall, m. */
-export interface Stretch {
-  readonly begin: number;
-  readonly end: number;
-}
-
-/** Heights above the floor, m, of the head and the sill that reveals show; null where they show none. */
-export function revealLevels(
-  strip: WallStrip,
-  reveals: readonly number[],
-  { begin, end }: Stretch,
-): { readonly head: number | null; readonly sill: number | null } {
-  const between = reveals.filter((i) => strip.along[i] > begin && strip.along[i] < end);
-  const above = between.filter((i) => strip.high[i] > LOOK_TO - INTO_LOOK);
-  const below = between.filter((i) => strip.high[i] < LOOK_FROM + INTO_LOOK);
-  return { head: levelOf(strip, above, end - begin), sill: levelOf(strip, below, end - begin) };
-}
-
-/** The height at which most of some points lie, if they cover enough of a width there. */
-function levelOf({ along, high }: WallStrip, points: readonly number[], width: number): number | null {
-  if (points.length < FEWEST) return null;
-  const level = densest(points.map((i) => high[i]));
-  const on = points.filter((i) => Math.abs(high[i] - level) <= LEVEL_REACH);
-  const bits = new Set(on.map((i) => Math.floor(along[i] / (2 * STEP))));
-  const isSeen = on.length >= FEWEST && (bits.size * 2 * STEP) / width >= LEVEL_SHARE;
-  return isSeen ? medianOf(Float64Array.from(on, (i) => high[i])) : null;
-}
-
-/** Middle of the stretch of twice {@link LEVEL_REACH} that holds most values. */
-function densest(values: readonly number[]): number {
-  const sorted = Float64Array.from(values).sort();
-  let [best, most, low] = [sorted[0], 0, 0];
-  for (let k = 0; k < sorted.length; k++) {
-    while (sorted[k] - sorted[low] > 2 * LEVEL_REACH) low++;
-    if (k - low + 1 > most) {
-      most = k - low + 1;
-      best = (sorted[k] + sorted[low]) / 2;
-    }
-  }
-  return best;
-}
 
 /**
  * Heights above the floor, m, between which no face stands over most of a stretch, around eye height; of a closed leaf, between

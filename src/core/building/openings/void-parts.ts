@@ -1,6 +1,7 @@
 import { medianOf } from '../../robust-scale.ts';
 import { withoutPanes } from './panes.ts';
-import { FEWEST, LOOK_FROM, LOOK_TO, STEP, type WallLook } from './wall-look.ts';
+import { LEVEL_SHARE, levelReach } from './reveal-levels.ts';
+import { FEWEST, LOOK_FROM, LOOK_TO, STEP, THROUGH_SHARE, throughShare, type WallLook } from './wall-look.ts';
 import type { WallStrip } from './wall-strip.ts';
 
 /** A bit of wall with points in more of its bits of height than this stands. */
@@ -23,6 +24,9 @@ const JAMB_STEP = 2 * STEP;
 /** A jamb is seen over at least this height, m, no higher than so far above eye height: lintels begin there. */
 const LEAST_JAMB = 0.4;
 const ABOVE_LOOK = 0.1;
+
+/** A void that goes on so far past its sill and its head, m, is hidden there: by a cupboard, not by chance. */
+const LEAST_HIDDEN = 0.5;
 
 /** A closed leaf stands no deeper in the wall than this, m, is flat within so much, fills so much of its void … */
 export const DEEPEST_LEAF = 0.15;
@@ -195,19 +199,50 @@ function partsOf(look: WallLook, hole: Void): VoidPart[] {
   if (!jambs.some((at) => Math.abs(at - hole.from) <= JAMB_REACH))
     ends.unshift({ at: hole.from, isJamb: false });
   if (!jambs.some((at) => Math.abs(at - hole.to) <= JAMB_REACH)) ends.push({ at: hole.to, isJamb: false });
-  const parts: VoidPart[] = [];
-  for (let k = 1; k < ends.length; k++) {
-    const [left, right] = [ends[k - 1], ends[k]];
-    if (right.at - left.at < NARROWEST || right.at - left.at > WIDEST) continue;
-    parts.push({
+  const shown = ends.slice(1).flatMap((right, k) => shownParts(look, hole, ends[k], right));
+  return shown
+    .filter(([left, right]) => right.at - left.at >= NARROWEST && right.at - left.at <= WIDEST)
+    .map(([left, right]) => ({
       from: left.at,
       to: right.at,
       jambs: Number(left.isJamb) + Number(right.isJamb),
       reveals: hole.reveals,
       isClosed: false,
       isFramed: hole.isFramed && ends.length === 2,
-    });
-  }
+    }));
+}
+
+interface PartEnd {
+  readonly at: number;
+  readonly isJamb: boolean;
+}
+
+/**
+ * What a void between two ends shows: beside a jamb an opening ends where its sill and its head do, unless the scan sees through
+ * what is past that. Where a void goes on, the wall behind may be hidden.
+ */
+function shownParts(
+  look: WallLook,
+  { reveals, isFramed }: Void,
+  left: PartEnd,
+  right: PartEnd,
+): [PartEnd, PartEnd][] {
+  if (isFramed) return [[left, right]];
+  const between = { begin: left.at, end: right.at };
+  const width = right.at - left.at;
+  // Two jambs are one opening's unless hardly any of its sill and head was seen.
+  const mostShown = left.isJamb && right.isJamb ? LEVEL_SHARE * width : width - LEAST_HIDDEN;
+  const reachFrom = (end: PartEnd, way: 1 | -1): number | null => {
+    const reach = end.isJamb ? levelReach(look.strip, reveals, between, way) : null;
+    return reach !== null && reach <= mostShown ? reach : null;
+  };
+  const [fromLeft, fromRight] = [reachFrom(left, 1), reachFrom(right, -1)];
+  const hidden = { begin: left.at + (fromLeft ?? 0), end: right.at - (fromRight ?? 0) };
+  const isWhole = (fromLeft === null && fromRight === null) || hidden.end <= hidden.begin;
+  if (isWhole || throughShare(look, hidden) >= THROUGH_SHARE) return [[left, right]];
+  const parts: [PartEnd, PartEnd][] = [];
+  if (fromLeft !== null) parts.push([left, { at: hidden.begin, isJamb: false }]);
+  if (fromRight !== null) parts.push([{ at: hidden.end, isJamb: false }, right]);
   return parts;
 }
 
@@ -232,6 +267,18 @@ function isClosed({ strip }: WallLook, { from, to, reveals }: Void): boolean {
   return bits.size >= LEAF_SHARE * rows * columns;
 }
 
+/** The most heights of those that follow each other with one missing at most: stray points above and below a sill are no jamb. */
+function longestRun(heights: ReadonlyMap<number, number>): number {
+  if (heights.size * JAMB_STEP < LEAST_JAMB) return 0;
+  let [run, longest, last] = [0, 0, Number.NEGATIVE_INFINITY];
+  for (const height of [...heights.keys()].sort((a, b) => a - b)) {
+    run = height - last <= 2 ? run + 1 : 1;
+    longest = Math.max(longest, run);
+    last = height;
+  }
+  return longest;
+}
+
 /** Places along a void where reveals stand upright, in order. O(points · log points). */
 function jambsIn({ strip }: WallLook, { reveals }: Void): number[] {
   const below = reveals.filter((i) => strip.high[i] < LOOK_TO + ABOVE_LOOK);
@@ -250,7 +297,7 @@ function jambsIn({ strip }: WallLook, { reveals }: Void): number[] {
       else heights.delete(step(low));
     }
     const count = k + 1 - low;
-    if (count < FEWEST || heights.size * JAMB_STEP < LEAST_JAMB) continue;
+    if (count < FEWEST || longestRun(heights) * JAMB_STEP < LEAST_JAMB) continue;
     found.push({ at: sorted[low + (count >> 1)], weight: heights.size + count / 1000 });
   }
   found.sort((a, b) => b.weight - a.weight);

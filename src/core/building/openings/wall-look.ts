@@ -29,3 +29,22 @@ export interface WallLook {
 export function faceBand({ noise, thickness }: WallLook): number {
   return Math.min(Math.max(ON_FACE, DEVIATIONS * noise), thickness / 3);
 }
+
+/** Where floor or ceiling shows over this share of a width, the scan sees through. */
+export const THROUGH_SHARE = 0.4;
+
+/** A stretch along a wall, m. */
+export interface Stretch {
+  readonly begin: number;
+  readonly end: number;
+}
+
+/** Share of a stretch over which floor or ceiling was seen within the wall. */
+export function throughShare({ isThrough }: WallLook, { begin, end }: Stretch): number {
+  let [through, count] = [0, 0];
+  for (let along = begin; along <= end; along += STEP) {
+    count++;
+    if (isThrough(along)) through++;
+  }
+  return through / count;
+}
