@@ -47,8 +47,8 @@ export interface FoundOpening {
  *
  * A void at eye height in every face of the wall may be an opening or hidden. Reveals tell: points within the wall, which
  * stand upright at jambs and lie level at sills and heads. Jambs part a void; a part is an opening where sill or head is seen
- * over most of its width, where the scan sees through beside a jamb, or where both faces of the wall end at both its sides: no two
- * things hide the two faces alike. Leaves that noise put on the face come second: where they came first, they took the place of
+ * over most of its width, where beside a jamb the scan sees through or the face stands above and below, or where both faces of the
+ * wall end at both its sides: no two things hide the two faces alike. Leaves that noise put on the face come second: where they came first, they took the place of
  * windows and drew false openings (of 84 clouds 3 worse, 1 better). O(points).
  */
 export function findOpenings(look: WallLook): FoundOpening[] {

@@ -1,7 +1,8 @@
 import { medianOf } from '../../robust-scale.ts';
+import { JAMB_REACH, jambsIn } from './jambs.ts';
 import { withoutPanes } from './panes.ts';
-import { LEVEL_SHARE, levelReach } from './reveal-levels.ts';
-import { FEWEST, LOOK_FROM, LOOK_TO, STEP, THROUGH_SHARE, throughShare, type WallLook } from './wall-look.ts';
+import { shownParts } from './shown-parts.ts';
+import { FEWEST, LOOK_FROM, LOOK_TO, STEP, type WallLook } from './wall-look.ts';
 import type { WallStrip } from './wall-strip.ts';
 
 /** A bit of wall with points in more of its bits of height than this stands. */
@@ -15,19 +16,6 @@ const OFF_PLANE = 0.1;
 const FRAME_BITS = 3;
 /** A reveal has no gap in depth wider than this, m. */
 const DEPTH_GAP = 0.12;
-/** Reach around the end of a void in which its jamb is looked for, m. */
-const JAMB_REACH = 0.15;
-/** Width of a jamb's points along the wall, m. */
-const JAMB_WIDTH = 0.06;
-/** Bits of height in which a jamb is seen, m. */
-const JAMB_STEP = 2 * STEP;
-/** A jamb is seen over at least this height, m, no higher than so far above eye height: lintels begin there. */
-const LEAST_JAMB = 0.4;
-const ABOVE_LOOK = 0.1;
-
-/** A void that goes on so far past its sill and its head, m, is hidden there: by a cupboard, not by chance. */
-const LEAST_HIDDEN = 0.5;
-
 /** A closed leaf stands no deeper in the wall than this, m, is flat within so much, fills so much of its void … */
 export const DEEPEST_LEAF = 0.15;
 const LEAF_FLATNESS = 0.03;
@@ -194,7 +182,7 @@ function nearFace({ strip }: WallLook, points: readonly number[]): number[] {
 type Void = Omit<VoidPart, 'jambs' | 'isClosed'>;
 
 function partsOf(look: WallLook, hole: Void): VoidPart[] {
-  const jambs = jambsIn(look, hole);
+  const jambs = jambsIn(look.strip, hole.reveals);
   const ends = jambs.map((at) => ({ at, isJamb: true }));
   if (!jambs.some((at) => Math.abs(at - hole.from) <= JAMB_REACH))
     ends.unshift({ at: hole.from, isJamb: false });
@@ -210,40 +198,6 @@ function partsOf(look: WallLook, hole: Void): VoidPart[] {
       isClosed: false,
       isFramed: hole.isFramed && ends.length === 2,
     }));
-}
-
-interface PartEnd {
-  readonly at: number;
-  readonly isJamb: boolean;
-}
-
-/**
- * What a void between two ends shows: beside a jamb an opening ends where its sill and its head do, unless the scan sees through
- * what is past that. Where a void goes on, the wall behind may be hidden.
- */
-function shownParts(
-  look: WallLook,
-  { reveals, isFramed }: Void,
-  left: PartEnd,
-  right: PartEnd,
-): [PartEnd, PartEnd][] {
-  if (isFramed) return [[left, right]];
-  const between = { begin: left.at, end: right.at };
-  const width = right.at - left.at;
-  // Two jambs are one opening's unless hardly any of its sill and head was seen.
-  const mostShown = left.isJamb && right.isJamb ? LEVEL_SHARE * width : width - LEAST_HIDDEN;
-  const reachFrom = (end: PartEnd, way: 1 | -1): number | null => {
-    const reach = end.isJamb ? levelReach(look.strip, reveals, between, way) : null;
-    return reach !== null && reach <= mostShown ? reach : null;
-  };
-  const [fromLeft, fromRight] = [reachFrom(left, 1), reachFrom(right, -1)];
-  const hidden = { begin: left.at + (fromLeft ?? 0), end: right.at - (fromRight ?? 0) };
-  const isWhole = (fromLeft === null && fromRight === null) || hidden.end <= hidden.begin;
-  if (isWhole || throughShare(look, hidden) >= THROUGH_SHARE) return [[left, right]];
-  const parts: [PartEnd, PartEnd][] = [];
-  if (fromLeft !== null) parts.push([left, { at: hidden.begin, isJamb: false }]);
-  if (fromRight !== null) parts.push([{ at: hidden.end, isJamb: false }, right]);
-  return parts;
 }
 
 /** Whether an upright surface not far behind the face fills a void at eye height: a closed door in its frame. */
@@ -265,43 +219,4 @@ function isClosed({ strip }: WallLook, { from, to, reveals }: Void): boolean {
     bits.add(column * rows + Math.min(rows - 1, Math.floor((strip.high[i] - LOOK_FROM) / LEAF_STEP)));
   }
   return bits.size >= LEAF_SHARE * rows * columns;
-}
-
-/** The most heights of those that follow each other with one missing at most: stray points above and below a sill are no jamb. */
-function longestRun(heights: ReadonlyMap<number, number>): number {
-  if (heights.size * JAMB_STEP < LEAST_JAMB) return 0;
-  let [run, longest, last] = [0, 0, Number.NEGATIVE_INFINITY];
-  for (const height of [...heights.keys()].sort((a, b) => a - b)) {
-    run = height - last <= 2 ? run + 1 : 1;
-    longest = Math.max(longest, run);
-    last = height;
-  }
-  return longest;
-}
-
-/** Places along a void where reveals stand upright, in order. O(points · log points). */
-function jambsIn({ strip }: WallLook, { reveals }: Void): number[] {
-  const below = reveals.filter((i) => strip.high[i] < LOOK_TO + ABOVE_LOOK);
-  const order = below.sort((i, j) => strip.along[i] - strip.along[j]);
-  const sorted = Float64Array.from(order, (i) => strip.along[i]);
-  const step = (k: number) => Math.floor(strip.high[order[k]] / JAMB_STEP);
-  // Points at each height within the window that ends at the point looked at.
-  const heights = new Map<number, number>();
-  const found: { at: number; weight: number }[] = [];
-  let low = 0;
-  for (let k = 0; k < sorted.length; k++) {
-    heights.set(step(k), (heights.get(step(k)) ?? 0) + 1);
-    for (; sorted[k] - sorted[low] > JAMB_WIDTH; low++) {
-      const rest = heights.get(step(low))! - 1;
-      if (rest > 0) heights.set(step(low), rest);
-      else heights.delete(step(low));
-    }
-    const count = k + 1 - low;
-    if (count < FEWEST || longestRun(heights) * JAMB_STEP < LEAST_JAMB) continue;
-    found.push({ at: sorted[low + (count >> 1)], weight: heights.size + count / 1000 });
-  }
-  found.sort((a, b) => b.weight - a.weight);
-  const kept: number[] = [];
-  for (const { at } of found) if (kept.every((other) => Math.abs(other - at) > JAMB_REACH)) kept.push(at);
-  return kept.sort((a, b) => a - b);
 }
