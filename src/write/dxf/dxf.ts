@@ -66,7 +66,7 @@ export function writeDxf({ plan, options }: Product, storey: number): string {
       inchesPerUnit: (metresPerUnit / METRES_PER_FOOT) * INCHES_PER_FOOT,
     }),
   };
-  const turn = turnToSquare(plan.storeys.flatMap(({ primary }) => primary));
+  const turn = turnToSquare(plan.storeys);
   const isInFeet = options.displayUnits === 'ft';
   const labels = drawStorey(drawing, plan.storeys[storey], { turn, frame, isInFeet });
   drawOpeningBlocks(drawing, plan.storeys[storey], () => tags.handle());

@@ -23,7 +23,7 @@ const SEAM = 0.5;
 /** Fig. 1c, 7, 8: the solid in parallel projection, hidden faces truly hidden but for what is cut out of the floor. */
 export function drawModel({ solid, plan }: Partial<StageResults>): Drawing | null {
   if (solid === undefined || solid.indices.length === 0) return null;
-  const turn = turnToSquare(plan?.storeys.flatMap(({ primary }) => primary) ?? []);
+  const turn = turnToSquare(plan?.storeys ?? []);
   const eye = makeEye(solid, turn);
   const slabs = slabsOf(solid);
   const items = slabs.flatMap((slab, k) => [

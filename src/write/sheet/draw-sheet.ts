@@ -66,7 +66,7 @@ export function saySheets(sheets: readonly Sheet[]): string {
 export function drawSheet(facts: SheetFacts, storey: number, warn: StageContext['warn'] = () => {}): Sheet {
   const { plan, slice, options } = facts;
   const drawn = plan.storeys[storey];
-  const turn = turnToSquare(plan.storeys.flatMap(({ primary }) => primary));
+  const turn = turnToSquare(plan.storeys);
   const { page, dimensions, extent } = layOut(drawn, turn, options, warn);
   const { paper, scale, planToSheet: squareToSheet } = page;
   const planToSheet = chain(squareToSheet, rotationBy(turn));
