@@ -1,6 +1,7 @@
 import type { Bounds } from '../../core/geometry/rings.ts';
 import type { Options } from '../../core/params.ts';
 import type { Polygon, Vec2 } from '../../core/types.ts';
+import { placeFigures } from '../sheet/chain-figures.ts';
 import {
   BELOW,
   type Dimensions,
@@ -8,7 +9,6 @@ import {
   FIRST_CHAIN,
   type Inside,
   NEXT_CHAIN,
-  placeFigures,
   planDimensions,
 } from '../sheet/dimensions.ts';
 import { formatDimension } from '../sheet/measure-words.ts';

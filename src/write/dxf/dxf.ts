@@ -6,8 +6,9 @@ import type { FloorPlan, Frame, FrameUnit, Polygon, Storey, Vec2 } from '../../c
 import { footprint } from '../../solid/sections.ts';
 import { decimal } from '../decimals.ts';
 import type { Product } from '../plan-writer.ts';
+import { TICK } from '../sheet/chain-figures.ts';
 import { cutWalls } from '../sheet/cut-walls.ts';
-import { EXTENSION, extentOf, type Inside, TEXT_GAP, TICK } from '../sheet/dimensions.ts';
+import { EXTENSION, extentOf, type Inside, TEXT_GAP } from '../sheet/dimensions.ts';
 import { INCHES_PER_FOOT, METRES_PER_FOOT } from '../sheet/measure-words.ts';
 import { rotationBy, turnToSquare } from '../sheet/sheet-turn.ts';
 import { CAPITAL, widthByCapitals } from '../sheet/text-width.ts';
