@@ -1,5 +1,5 @@
 import { circlesOf } from '../../core/geometry/ring-arcs.ts';
-import { boundsOfAll } from '../../core/geometry/rings.ts';
+import { boundsOfAll, inBounds, near } from '../../core/geometry/rings.ts';
 import { mapped, TEXT_SIZES } from '../../core/sheet.ts';
 import { sourceCoordinates } from '../../core/source-coordinates.ts';
 import type { FloorPlan, Frame, FrameUnit, Polygon, Storey, Vec2 } from '../../core/types.ts';
@@ -140,19 +140,20 @@ function drawStorey(drawing: DxfDrawing, storey: Storey, labelling: Labelling): 
 /** Every room with its text; where none are known, the area within the primary boundary. */
 function drawRooms(
   drawing: DxfDrawing,
-  { rooms, primary, secondary }: Storey,
+  { rooms, primary, secondary, furniture = [] }: Storey,
   labelling: Labelling,
 ): readonly DxfText[] {
   const labels: DxfText[] = [];
-  const obstacles = secondary.map(({ outline }) => ({ outline, bounds: extentOf([outline]) }));
+  const structures = secondary.map(({ outline }) => inBounds(outline));
+  const movable = furniture.map(({ outline }) => inBounds(outline));
   const label = (name: string, outline: Polygon) => {
-    const { minX, minY, maxX, maxY } = extentOf([outline]);
-    const near = obstacles.filter(
-      ({ bounds }) => bounds.minX < maxX && bounds.maxX > minX && bounds.minY < maxY && bounds.maxY > minY,
-    );
+    const obstacles = near(structures, outline);
     const height = TEXT_HEIGHT * PER_MM;
-    const obstaclesNear = near.map((each) => each.outline);
-    const text = roomLabel({ name, outline, obstacles: obstaclesNear, height, ...labelling });
+    const facts = { name, outline, height, ...labelling };
+    const besides = near(movable, outline);
+    const clear = besides.length > 0 ? roomLabel({ ...facts, obstacles: [...obstacles, ...besides] }) : null;
+    const isWhole = clear?.height === height && clear.angle === -labelling.turn;
+    const text = isWhole ? clear : roomLabel({ ...facts, obstacles });
     drawing.text('roomLabel', text);
     labels.push(text);
   };
@@ -189,8 +190,9 @@ function drawDimensions(
     openings: storey.openings.map((opening) => ({ ...opening, from: at(opening.from), to: at(opening.to) })),
   };
   const structures = storey.secondary.map(({ outline }) => squared(outline));
+  const furniture = (storey.furniture ?? []).map(({ outline }) => squared(outline));
   const extent = extentOf(covered);
-  const square = { covered, extent, inside, structures, turn, scale: SCALE };
+  const square = { covered, extent, inside, structures, furniture, turn, scale: SCALE };
   drawDxfDimensions(drawing, { ...facts, ...square }, nextHandle);
 }
 
