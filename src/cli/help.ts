@@ -1,5 +1,5 @@
 import { CROP_FORM } from '../core/crop-box.ts';
-import type { AutoNumberRow, NumberRow, ParamRow } from '../core/param-rows.ts';
+import { type AutoNumberRow, defaultWords, type NumberRow, type ParamRow } from '../core/param-rows.ts';
 import { kebabCase, PARAM_NAMES, PARAMS } from '../core/params.ts';
 import { ROOM_NAME_WORDS } from '../core/room-names.ts';
 import { STAGE_NAMES, STAGES } from '../core/stages.ts';
@@ -32,13 +32,16 @@ Exit codes: 0 done, 2 options, 3 input, 4 no plan, 5 environment, 70 a bug, 130 
 `;
 }
 
+/** The longest name of a format and a blank. */
+const NAME_WIDTH = 1 + Math.max(...Object.keys(WRITE_FORMATS).map((name) => name.length));
+
 function formatLine(name: string, { doc, isOnRequest }: WriteFormat): string {
-  return `  ${name.padEnd(13)}${doc}${isOnRequest ? ' On request.' : ''}`;
+  return `  ${name.padEnd(NAME_WIDTH)}${doc}${isOnRequest ? ' On request.' : ''}`;
 }
 
 function paramLine(name: (typeof PARAM_NAMES)[number]): string {
   const row: ParamRow = PARAMS[name];
-  return `  --${kebabCase(name)} ${valueWords(row)}\n      ${row.doc} Default ${String(row.default)}.`;
+  return `  --${kebabCase(name)} ${valueWords(row)}\n      ${row.doc} Default ${defaultWords(row)}.`;
 }
 
 /** What a value may be: `0 to 5 m`, `density|count`. */

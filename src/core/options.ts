@@ -2,7 +2,7 @@ import { parseClasses } from './classes.ts';
 import { CROP_WORDS, parseCrop } from './crop-box.ts';
 import { formatDoors, parseDoors } from './doors.ts';
 import { FloorPlanError } from './errors.ts';
-import type { AutoNumberRow, NumberRow, ParamRow } from './param-rows.ts';
+import { type AutoNumberRow, defaultWords, type NumberRow, type ParamRow } from './param-rows.ts';
 import { type GivenValues, type Options, PARAM_NAMES, PARAMS, type ParamName } from './params.ts';
 import { readQuantity, unitWords } from './quantity.ts';
 import { parseRoomNames, ROOM_NAME_WORDS } from './room-names.ts';
@@ -125,7 +125,7 @@ function checkValue(name: ParamName, value: unknown, found: unknown): void {
   if (expected === null) return;
   const words = Array.isArray(found) ? found.join(',') : String(found);
   throw new FloorPlanError('option/invalid', `${name}: expected ${expected}, found "${words}"`, {
-    hint: `The default is ${String(row.default)}.`,
+    hint: `The default is ${defaultWords(row)}.`,
     detail: { option: name },
   });
 }

@@ -118,3 +118,6 @@ export const roomNames = (row: Omit<RoomNamesRow, 'kind'>): RoomNamesRow => ({
   ...row,
 });
 export const text = (row: Omit<TextRow, 'kind'>): TextRow => ({ kind: 'text', ...row });
+
+/** A row's default as told to people; a text without letters is said to be empty. */
+export const defaultWords = (row: ParamRow): string => (row.default === '' ? 'empty' : String(row.default));

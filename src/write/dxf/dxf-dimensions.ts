@@ -1,6 +1,7 @@
 import type { Bounds } from '../../core/geometry/rings.ts';
 import type { Options } from '../../core/params.ts';
 import type { Polygon, Vec2 } from '../../core/types.ts';
+import { placeFigures } from '../sheet/chain-figures.ts';
 import {
   BELOW,
   type Dimensions,
@@ -8,7 +9,6 @@ import {
   FIRST_CHAIN,
   type Inside,
   NEXT_CHAIN,
-  placeFigures,
   planDimensions,
 } from '../sheet/dimensions.ts';
 import { formatDimension } from '../sheet/measure-words.ts';
@@ -42,6 +42,7 @@ export interface DimensionFacts {
   readonly inside: Inside;
   /** Likewise. */
   readonly structures: readonly Polygon[];
+  readonly furniture: readonly Polygon[];
   readonly labels: readonly DxfText[];
   /** The angle it was turned by, radians. */
   readonly turn: number;
@@ -138,13 +139,14 @@ function measureChains(facts: DimensionFacts, metresPerUnit: number): Measured[]
 
 /** Inside rooms, clear of their labels. */
 function measureRooms(facts: DimensionFacts, metresPerUnit: number): Measured[] {
-  const { inside, structures, labels, turn, scale, style } = facts;
+  const { inside, structures, furniture, labels, turn, scale, style } = facts;
   const back = turnBack(turn);
   const toPlace = turnBack(-turn);
   const perMetre = 1000 / scale;
   const chords = roomChords({
     rooms: inside.rooms.map(({ outline }) => outline),
     structures,
+    furniture,
     // As on a sheet, y runs down.
     planToSheet: [perMetre, 0, 0, -perMetre, 0, 0],
     taken: labels.map(({ at, angle, half }) => {

@@ -1,14 +1,12 @@
-import { inBounds, near, ringsOf } from '../../core/geometry/rings.ts';
-import type { Opening, Polygon, Ring, Storey } from '../../core/types.ts';
-import { openingBoxes } from '../../solid/opening-boxes.ts';
+import type { Opening, Storey } from '../../core/types.ts';
+import { type Depth, type OpeningBox, openingBoxes } from '../../solid/opening-boxes.ts';
 import { decimal } from '../decimals.ts';
+import { jambDepths } from '../jamb-depths.ts';
 import type { DxfDrawing } from './dxf-drawing.ts';
 import type { DxfTags } from './dxf-tags.ts';
 
 /** Depth of an opening off every wall where none tells how thick walls are, m. */
 const DEPTH = 0.1;
-/** The wall's depth is looked up this far within an opening, m: at its very end the wall may end as well. */
-const JAMB = 1e-2;
 /** Height of attributes, m; they are not shown. */
 const ATTRIBUTE_HEIGHT = 0.1;
 /** Decimals of a confidence. */
@@ -57,16 +55,12 @@ export function drawOpeningBlocks(drawing: DxfDrawing, storey: Storey, nextHandl
     const write = (tags: DxfTags, owner: string) => writeOpeningBlock(tags, owner, BLOCKS[type]);
     drawing.blocks.push({ name, handle: nextHandle(), flags: 2, write });
   }
-  const boxes = new Map(openingBoxes(storey).map((box) => [box.number, box.base]));
-  const walls = storey.walls.map(({ outline }) => inBounds(outline));
+  const boxes = new Map(openingBoxes(storey).map((box) => [box.number, box]));
   storey.openings.forEach((opening, number) => {
     if (!isWide(opening)) return;
     const { type, from, to, sill, head, confidence } = opening;
     const box = boxes.get(number);
-    const { low, high } =
-      box === undefined
-        ? { low: -thickest / 2, high: thickest / 2 }
-        : depthAtJambs(ringsOf(near(walls, box)), opening, depthOfBox(box, opening));
+    const { low, high } = box === undefined ? { low: -thickest / 2, high: thickest / 2 } : meanDepth(box);
     const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
     const aside = (low + high) / 2 / length;
     const middle = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
@@ -84,52 +78,10 @@ export function drawOpeningBlocks(drawing: DxfDrawing, storey: Storey, nextHandl
   });
 }
 
-interface Depth {
-  /** Distances to the left of an opening's axis, m. */
-  readonly low: number;
-  readonly high: number;
-}
-
-/** How deep the wall is at an opening's jambs, the mean of both: a curved wall bulges between them. */
-function depthAtJambs(walls: readonly Ring[], opening: Opening, box: Depth): Depth {
-  const { from, to } = opening;
-  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-  const inwards = Math.min(JAMB / length, 0.25);
-  const jambs = [inwards, 1 - inwards].map((share) => depthAcross(walls, opening, share, box));
-  const [left, right] = jambs.map((jamb) => (jamb.low < jamb.high ? jamb : box));
+/** How deep the wall is, the mean of both jambs: a block's faces run along its axis, and a curved wall bulges between. */
+function meanDepth(box: OpeningBox): Depth {
+  const [left, right] = jambDepths(box);
   return { low: (left.low + right.low) / 2, high: (left.high + right.high) / 2 };
-}
-
-/** Where a line across the wall, at a share of an opening's axis, meets the wall first and last within a depth. */
-function depthAcross(walls: readonly Ring[], { from, to }: Opening, share: number, within: Depth): Depth {
-  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-  const [ux, uy] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
-  let [low, high] = [Infinity, -Infinity];
-  for (const ring of walls) {
-    for (let i = 0, j = ring.length - 2; i < ring.length; j = i, i += 2) {
-      const a = (ring[j] - from[0]) * ux + (ring[j + 1] - from[1]) * uy - share * length;
-      const b = (ring[i] - from[0]) * ux + (ring[i + 1] - from[1]) * uy - share * length;
-      if (a > 0 === b > 0) continue;
-      const at = a / (a - b);
-      const [x, y] = [ring[j] + at * (ring[i] - ring[j]), ring[j + 1] + at * (ring[i + 1] - ring[j + 1])];
-      const aside = (y - from[1]) * ux - (x - from[0]) * uy;
-      if (aside < within.low || aside > within.high) continue;
-      [low, high] = [Math.min(low, aside), Math.max(high, aside)];
-    }
-  }
-  return { low, high };
-}
-
-/** From where to where a box reaches across an opening. */
-function depthOfBox({ outer }: Polygon, { from, to }: Opening): Depth {
-  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-  const [nx, ny] = [(from[1] - to[1]) / length, (to[0] - from[0]) / length];
-  let [low, high] = [Infinity, -Infinity];
-  for (let i = 0; i < outer.length; i += 2) {
-    const aside = (outer[i] - from[0]) * nx + (outer[i + 1] - from[1]) * ny;
-    [low, high] = [Math.min(low, aside), Math.max(high, aside)];
-  }
-  return { low, high };
 }
 
 function writeOpeningBlock(tags: DxfTags, owner: string, { lines, onLayer }: OpeningBlock): void {

@@ -81,7 +81,9 @@ export class DxfTags {
 
 /** A line of text of several lines, with what formats such text made harmless. */
 function formatFree(line: string): string {
-  return escaped(line.replace(/[\\{}]/g, (sign) => `\\${sign}`));
+  const plain = line.replace(/[\\{}]/g, (sign) => `\\${sign}`);
+  // Two per cent signs and a letter are a sign of the format's own, as a diameter's; an empty group parts them.
+  return escaped(plain.replace(/%(?=%)/g, '%{}'));
 }
 
 /** Text beyond ASCII as \U+XXXX, with the caret and control characters made harmless. */

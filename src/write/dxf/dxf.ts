@@ -1,15 +1,17 @@
 import { circlesOf } from '../../core/geometry/ring-arcs.ts';
-import { boundsOfAll } from '../../core/geometry/rings.ts';
-import { rotationBy, turnToSquare } from '../../core/geometry/square-turn.ts';
+import { boundsOfAll, inBounds, near } from '../../core/geometry/rings.ts';
+import { rotationBy } from '../../core/geometry/square-turn.ts';
 import { mapped, TEXT_SIZES } from '../../core/sheet.ts';
 import { sourceCoordinates } from '../../core/source-coordinates.ts';
 import type { FloorPlan, Frame, FrameUnit, Polygon, Storey, Vec2 } from '../../core/types.ts';
 import { footprint } from '../../solid/sections.ts';
 import { decimal } from '../decimals.ts';
 import type { Product } from '../plan-writer.ts';
+import { TICK } from '../sheet/chain-figures.ts';
 import { cutWalls } from '../sheet/cut-walls.ts';
-import { EXTENSION, extentOf, type Inside, TEXT_GAP, TICK } from '../sheet/dimensions.ts';
+import { EXTENSION, extentOf, type Inside, TEXT_GAP } from '../sheet/dimensions.ts';
 import { INCHES_PER_FOOT, METRES_PER_FOOT } from '../sheet/measure-words.ts';
+import { sheetTurn } from '../sheet/sheet-turn.ts';
 import { CAPITAL, widthByCapitals } from '../sheet/text-width.ts';
 import { type DimensionFacts, drawDxfDimensions } from './dxf-dimensions.ts';
 import { DxfDrawing, type DxfText } from './dxf-drawing.ts';
@@ -66,7 +68,7 @@ export function writeDxf({ plan, options }: Product, storey: number): string {
       inchesPerUnit: (metresPerUnit / METRES_PER_FOOT) * INCHES_PER_FOOT,
     }),
   };
-  const turn = turnToSquare(plan.storeys.flatMap(({ primary }) => primary));
+  const turn = sheetTurn(plan.storeys);
   const isInFeet = options.displayUnits === 'ft';
   const labels = drawStorey(drawing, plan.storeys[storey], { turn, frame, isInFeet });
   drawOpeningBlocks(drawing, plan.storeys[storey], () => tags.handle());
@@ -139,19 +141,20 @@ function drawStorey(drawing: DxfDrawing, storey: Storey, labelling: Labelling): 
 /** Every room with its text; where none are known, the area within the primary boundary. */
 function drawRooms(
   drawing: DxfDrawing,
-  { rooms, primary, secondary }: Storey,
+  { rooms, primary, secondary, furniture = [] }: Storey,
   labelling: Labelling,
 ): readonly DxfText[] {
   const labels: DxfText[] = [];
-  const obstacles = secondary.map(({ outline }) => ({ outline, bounds: extentOf([outline]) }));
+  const structures = secondary.map(({ outline }) => inBounds(outline));
+  const movable = furniture.map(({ outline }) => inBounds(outline));
   const label = (name: string, outline: Polygon) => {
-    const { minX, minY, maxX, maxY } = extentOf([outline]);
-    const near = obstacles.filter(
-      ({ bounds }) => bounds.minX < maxX && bounds.maxX > minX && bounds.minY < maxY && bounds.maxY > minY,
-    );
+    const obstacles = near(structures, outline);
     const height = TEXT_HEIGHT * PER_MM;
-    const obstaclesNear = near.map((each) => each.outline);
-    const text = roomLabel({ name, outline, obstacles: obstaclesNear, height, ...labelling });
+    const facts = { name, outline, height, ...labelling };
+    const besides = near(movable, outline);
+    const clear = besides.length > 0 ? roomLabel({ ...facts, obstacles: [...obstacles, ...besides] }) : null;
+    const isWhole = clear?.height === height && clear.angle === -labelling.turn;
+    const text = isWhole ? clear : roomLabel({ ...facts, obstacles });
     drawing.text('roomLabel', text);
     labels.push(text);
   };
@@ -188,8 +191,9 @@ function drawDimensions(
     openings: storey.openings.map((opening) => ({ ...opening, from: at(opening.from), to: at(opening.to) })),
   };
   const structures = storey.secondary.map(({ outline }) => squared(outline));
+  const furniture = (storey.furniture ?? []).map(({ outline }) => squared(outline));
   const extent = extentOf(covered);
-  const square = { covered, extent, inside, structures, turn, scale: SCALE };
+  const square = { covered, extent, inside, structures, furniture, turn, scale: SCALE };
   drawDxfDimensions(drawing, { ...facts, ...square }, nextHandle);
 }
 

@@ -12,9 +12,9 @@ import { type ArcStroke, arcCentre, arcStrokes } from '../arc-strokes.ts';
 import { decimal } from '../decimals.ts';
 import type { WriteTools } from '../drawing/raster.ts';
 import { INK, POINT_INK, POINT_SIZE } from '../drawing/sheet-ink.ts';
+import { advanceOf, winAnsi } from '../helvetica.ts';
 import type { Product } from '../plan-writer.ts';
 import { type DisplayUnit, INCHES_PER_FOOT, METRES_PER_FOOT } from '../sheet/measure-words.ts';
-import { advanceOf, winAnsi } from './helvetica.ts';
 import { byteString, PdfFile, textString } from './pdf-file.ts';
 import { drawTextImage } from './text-image.ts';
 

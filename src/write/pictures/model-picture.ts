@@ -1,7 +1,7 @@
 import { countOf } from '../../core/count-words.ts';
 import { isCounterClockwise, ringsOf } from '../../core/geometry/rings.ts';
-import { turnToSquare } from '../../core/geometry/square-turn.ts';
 import type { StageResults } from '../../core/stage-results.ts';
+import { sheetTurn } from '../sheet/sheet-turn.ts';
 import { path } from './marks.ts';
 import { sideColour, topColour } from './model-clay.ts';
 import { type Eye, makeEye } from './model-eye.ts';
@@ -23,7 +23,7 @@ const SEAM = 0.5;
 /** Fig. 1c, 7, 8: the solid in parallel projection, hidden faces truly hidden but for what is cut out of the floor. */
 export function drawModel({ solid, plan }: Partial<StageResults>): Drawing | null {
   if (solid === undefined || solid.indices.length === 0) return null;
-  const turn = turnToSquare(plan?.storeys.flatMap(({ primary }) => primary) ?? []);
+  const turn = sheetTurn(plan?.storeys ?? []);
   const eye = makeEye(solid, turn);
   const slabs = slabsOf(solid);
   const items = slabs.flatMap((slab, k) => [

@@ -1,22 +1,19 @@
 import { type Bounds, boundsOfAll } from '../../core/geometry/rings.ts';
 import { type Affine, type SheetItem, TEXT_SIZES } from '../../core/sheet.ts';
 import type { Polygon, Ring, Storey } from '../../core/types.ts';
+import { placeFigures, TICK } from './chain-figures.ts';
 import { type DisplayUnit, formatDimension } from './measure-words.ts';
 import type { Surround } from './sheet-page.ts';
-import { CAPITAL, textWidth } from './text-width.ts';
+import { CAPITAL } from './text-width.ts';
 
 /** Distance of the first chain from the plan, between chains, and of text above its line, mm. */
 export const FIRST_CHAIN = 9;
-export const NEXT_CHAIN = 7;
+export const NEXT_CHAIN = 8;
 export const TEXT_GAP = 1;
 /** Extension lines are short, so that they cross no figures: so far to either side of their chain, mm. */
 export const EXTENSION = 1.4;
 /** … and figures below a chain so far past these, mm. */
 const FIGURE_GAP = 0.3;
-/** A figure that stands below its line may be pushed aside so far, mm; where that is not enough, it is left out. */
-const FARTHEST_PUSH = 4;
-/** Half the length of an oblique tick along each axis, mm. */
-export const TICK = 1.1;
 /** Blank beyond the outermost chain, mm. */
 const CLEARANCE = 4;
 /** A step in the outline gets a dimension when it is at least this deep, m, and its dimension this wide, mm. */
@@ -215,34 +212,6 @@ function drawChain(
 /** The oblique tick at a place on the sheet. */
 export function tickAt(x: number, y: number): Float64Array {
   return Float64Array.of(x - TICK, y + TICK, x + TICK, y - TICK);
-}
-
-/** Where a figure of a chain stands. */
-export interface FigurePlace {
-  /** Its middle along the chain, mm. */
-  readonly at: number;
-  /** On the other side of the line. */
-  readonly isBelow: boolean;
-}
-
-/**
- * Figures stand above the middle of their stretch, those too wide for it below, a little aside where the last one stands;
- * null for what finds no place.
- *
- * @param places of ticks along the chain, rising as it is read, mm
- * @param figures one a stretch
- */
-export function placeFigures(places: readonly number[], figures: readonly string[]): (FigurePlace | null)[] {
-  let taken = Number.NEGATIVE_INFINITY;
-  return figures.map((figure, i) => {
-    const width = textWidth(figure, TEXT_SIZES.label) + TEXT_GAP;
-    const middle = (places[i] + places[i + 1]) / 2;
-    if (width <= places[i + 1] - places[i]) return { at: middle, isBelow: false };
-    const push = Math.max(0, taken + width / 2 - middle);
-    if (push > FARTHEST_PUSH) return null;
-    taken = middle + push + width / 2;
-    return { at: middle + push, isBelow: true };
-  });
 }
 
 /** Places where the outline, seen from the side, steps forwards or back; none where it is jagged all over. */

@@ -1,12 +1,10 @@
-import { combine } from '../../core/geometry/areas.ts';
 import { type Affine, mapped, type SheetItem } from '../../core/sheet.ts';
-import type { Opening, Polygon, Storey } from '../../core/types.ts';
-import { openingBoxes } from '../../solid/opening-boxes.ts';
+import type { Opening, Storey } from '../../core/types.ts';
+import { type Depth, type OpeningBox, openingBoxes } from '../../solid/opening-boxes.ts';
+import { jambDepths } from '../jamb-depths.ts';
 
 /** Decimals of plan metres in data attributes: 0.1 mm. */
 const DIGITS = 4;
-/** A corner of the hole this near the end of an opening is the jamb's, m: the Booleans' rounding and more. */
-const AT_JAMB = 1e-4;
 
 /**
  * Draws openings in the walls: thin lines across the wall at both jambs, and between them for a door a thin line, since
@@ -14,8 +12,9 @@ const AT_JAMB = 1e-4;
  * above the plan's cut, dashed lines on the faces.
  */
 export function drawOpenings(storey: Storey, planToSheet: Affine): SheetItem[] {
-  return openingBoxes(storey).flatMap(({ number: i, opening, base, walls }): SheetItem[] => {
-    const jambs = jambsOf(combine('intersection', walls, [base]), opening);
+  return openingBoxes(storey).flatMap((box): SheetItem[] => {
+    const { number: i, opening } = box;
+    const jambs = jambsOf(box);
     const [drawn, dashed] = betweenJambs(opening, jambs);
     const path = (style: 'opening' | 'passage', lines: readonly Float64Array[]) => ({
       kind: 'path' as const,
@@ -32,10 +31,9 @@ export function drawOpenings(storey: Storey, planToSheet: Affine): SheetItem[] {
 /** Lines from jamb to jamb, whole ones and dashed ones. */
 function betweenJambs(
   { type, from, to }: Opening,
-  [left, right]: readonly Float64Array[],
+  [left, right]: readonly [Float64Array, Float64Array],
 ): [drawn: Float64Array[], dashed: Float64Array[]] {
   if (type === 'door') return [[Float64Array.of(...from, ...to)], []];
-  if (left === undefined || right === undefined) return [[], []];
   // Jambs run from one face of the wall to the other, both the same way.
   const at = (share: number) => [
     ...[left[0] + share * (left[2] - left[0]), left[1] + share * (left[3] - left[1])],
@@ -52,20 +50,12 @@ export function placeData({ from, to }: Pick<Opening, 'from' | 'to'>): Record<'f
 }
 
 /** Across the wall at the two ends of an opening, as deep as the wall is there. */
-function jambsOf(hole: readonly Polygon[], { from, to }: Opening): Float64Array[] {
+function jambsOf(box: OpeningBox): readonly [Float64Array, Float64Array] {
+  const { from, to } = box.opening;
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
   const [ux, uy] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
-  return [0, length].flatMap((end) => {
-    let [low, high] = [Infinity, -Infinity];
-    for (const { outer } of hole) {
-      for (let i = 0; i < outer.length; i += 2) {
-        const [x, y] = [outer[i] - from[0], outer[i + 1] - from[1]];
-        if (Math.abs(x * ux + y * uy - end) > AT_JAMB) continue;
-        const aside = ux * y - uy * x;
-        [low, high] = [Math.min(low, aside), Math.max(high, aside)];
-      }
-    }
-    const at = (aside: number) => [from[0] + end * ux - aside * uy, from[1] + end * uy + aside * ux];
-    return low < high ? [Float64Array.of(...at(low), ...at(high))] : [];
-  });
+  const across = ([x, y]: Opening['from'], { low, high }: Depth) =>
+    Float64Array.of(x - low * uy, y + low * ux, x - high * uy, y + high * ux);
+  const [left, right] = jambDepths(box);
+  return [across(from, left), across(to, right)];
 }

@@ -2,8 +2,8 @@ import type { StageContext } from '../../core/context.ts';
 import { areaOf, combine } from '../../core/geometry/areas.ts';
 import type { Circle } from '../../core/geometry/circle.ts';
 import { circlesOf } from '../../core/geometry/ring-arcs.ts';
-import { type Bounds, perimeter, ringsOf } from '../../core/geometry/rings.ts';
-import { rotationBy, turnToSquare } from '../../core/geometry/square-turn.ts';
+import { type Bounds, boundsOfAll, perimeter, ringsOf } from '../../core/geometry/rings.ts';
+import { rotationBy } from '../../core/geometry/square-turn.ts';
 import type { Options } from '../../core/params.ts';
 import {
   type Affine,
@@ -14,6 +14,7 @@ import {
   type SheetItem,
   type SheetLayer,
   type SheetPath,
+  TEXT_SIZES,
 } from '../../core/sheet.ts';
 import type { Furniture, Opening, Polygon, RingArc, SecondaryBoundary, Storey } from '../../core/types.ts';
 import { footprint } from '../../solid/sections.ts';
@@ -37,6 +38,8 @@ import { drawRoomDimensions } from './room-dimensions.ts';
 import { drawnName, placeLabels } from './room-labels.ts';
 import { HATCHES } from './secondary-hatch.ts';
 import { fitPage, type Page } from './sheet-page.ts';
+import { sheetTurn } from './sheet-turn.ts';
+import { textWidth } from './text-width.ts';
 import { drawTitleBlock, type LegendEntry } from './title-block.ts';
 
 /** Decimals of metres in data attributes: 0.1 mm. */
@@ -66,7 +69,7 @@ export function saySheets(sheets: readonly Sheet[]): string {
 export function drawSheet(facts: SheetFacts, storey: number, warn: StageContext['warn'] = () => {}): Sheet {
   const { plan, slice, options } = facts;
   const drawn = plan.storeys[storey];
-  const turn = turnToSquare(plan.storeys.flatMap(({ primary }) => primary));
+  const turn = sheetTurn(plan.storeys);
   const { page, dimensions, extent } = layOut(drawn, turn, options, warn);
   const { paper, scale, planToSheet: squareToSheet } = page;
   const planToSheet = chain(squareToSheet, rotationBy(turn));
@@ -74,13 +77,17 @@ export function drawSheet(facts: SheetFacts, storey: number, warn: StageContext[
   const walls = drawWalls(drawn, planToSheet);
   const openings = drawOpenings(drawn, planToSheet);
   warnOfCutNames(drawn, warn);
-  const labels = placeLabels({ storey: drawn, planToSheet, unit, extent: onSheet(extent, squareToSheet) });
+  const outer = drawDimensions(dimensions, extent, { planToSheet: squareToSheet, unit });
+  const labels = placeLabels({
+    ...{ storey: drawn, planToSheet, unit, extent: onSheet(extent, squareToSheet) },
+    taken: outer.flatMap(boxesOf),
+  });
   const inner = drawRoomDimensions({
     ...{ rooms: options.dimensions === 'all' ? drawn.rooms.map(({ outline }) => outline) : [] },
     ...{ structures: drawn.secondary.map(({ outline }) => outline), planToSheet },
+    furniture: (drawn.furniture ?? []).map(({ outline }) => outline),
     ...{ taken: labels.map(({ box }) => box), figure: (mm) => formatDimension((mm * scale) / 1000, unit) },
   });
-  const outer = drawDimensions(dimensions, extent, { planToSheet: squareToSheet, unit });
   const words = titleWords(facts, drawn, { scale, paper: paper.name, turn });
   const legend = legendOf(drawn, walls.gaps, openings);
   const block = drawTitleBlock({ ...words, ...headingOf(facts, turn), unit, legend }, paper, scale);
@@ -141,6 +148,17 @@ function turnedInside({ rooms, openings }: Storey, turn: Affine): Inside {
     rooms: rooms.map((room) => ({ ...room, outline: mappedPolygon(room.outline, turn) })),
     openings: openings.map((opening) => ({ ...opening, from: at(opening.from), to: at(opening.to) })),
   };
+}
+
+/** What an item takes of the sheet, mm. */
+function boxesOf(item: SheetItem): Bounds[] {
+  if (item.kind === 'path') return [boundsOfAll(item.lines)];
+  if (item.kind === 'points') return [];
+  const { x, y, text, isUpright } = item;
+  const [half, high] = [textWidth(text, TEXT_SIZES[item.size]) / 2, TEXT_SIZES[item.size]];
+  return isUpright
+    ? [{ minX: x - high, maxX: x, minY: y - half, maxY: y + half }]
+    : [{ minX: x - half, maxX: x + half, minY: y - high, maxY: y }];
 }
 
 /** A box of the plan as it lies on the sheet, whose y runs down. */

@@ -1,6 +1,7 @@
 import { type Bounds, boundsMeet, boundsOf, ringsOf } from '../../core/geometry/rings.ts';
 import { type Affine, mapped, type SheetItem, TEXT_SIZES } from '../../core/sheet.ts';
 import type { Polygon, Ring } from '../../core/types.ts';
+import { meetsEdges } from './clear-box.ts';
 import { SQUARE, TEXT_GAP, tickAt } from './dimensions.ts';
 import { textWidth } from './text-width.ts';
 
@@ -18,6 +19,8 @@ export interface InnerFacts {
   readonly rooms: readonly Polygon[];
   /** Lines keep off these. */
   readonly structures: readonly Polygon[];
+  /** Figures keep off its edges, where they find another place. */
+  readonly furniture: readonly Polygon[];
   readonly planToSheet: Affine;
   /** Boxes of labels, mm. */
   readonly taken: readonly Bounds[];
@@ -39,19 +42,30 @@ export function drawRoomDimensions(facts: InnerFacts): SheetItem[] {
 }
 
 /** Where the width and the depth of every room are measured that has space for the figures. */
-export function roomChords({ rooms, structures, planToSheet, taken, figure }: InnerFacts): RoomChord[] {
+export function roomChords(facts: InnerFacts): RoomChord[] {
+  const { rooms, structures, planToSheet, taken, figure } = facts;
   const obstacles = [...taken, ...structures.map(({ outer }) => boundsOf(mapped(outer, planToSheet)))];
+  const furniture = ringsOf(facts.furniture).map((ring) => mapped(ring, planToSheet));
   return rooms.flatMap((room) => {
     const rings = ringsOf([room]).map((ring) => mapped(ring, planToSheet));
-    return ([0, 1] as const).flatMap((along) => chooseChord(rings, along, { obstacles, figure }) ?? []);
+    const choose = (along: 0 | 1, keepOff: readonly Ring[]) =>
+      chooseChord(rings, along, { obstacles, keepOff, figure });
+    return ([0, 1] as const).flatMap((along) => choose(along, furniture) ?? choose(along, []) ?? []);
   });
+}
+
+interface ChordChoice {
+  readonly obstacles: readonly Bounds[];
+  /** Closed lines that the figure is not to stand on. */
+  readonly keepOff: readonly Ring[];
+  figure(length: number): string;
 }
 
 /** The line nearest to the lower or the left wall that runs the whole room and meets nothing. */
 function chooseChord(
   rings: readonly Ring[],
   along: 0 | 1,
-  { obstacles, figure }: { obstacles: readonly Bounds[]; figure: (length: number) => string },
+  { obstacles, keepOff, figure }: ChordChoice,
 ): RoomChord | null {
   const { minX, minY, maxX, maxY } = boundsOf(rings[0]);
   // Below is where y is greatest.
@@ -61,13 +75,17 @@ function chooseChord(
     const chord = longestChord(rings, along, start + way * into);
     if (chord === null || chord.to - chord.from < FULL_LENGTH * whole) continue;
     const length = chord.to - chord.from;
-    if (textWidth(figure(length), TEXT_SIZES.label) + 2 * FIGURE_BLANK > length) return null;
+    const width = textWidth(figure(length), TEXT_SIZES.label) + 2 * FIGURE_BLANK;
+    if (width > length) return null;
     const high = TEXT_SIZES.label + 2 * TEXT_GAP;
     const band: Bounds =
       along === 0
         ? { minX: chord.from, maxX: chord.to, minY: chord.place - high, maxY: chord.place + TEXT_GAP }
         : { minX: chord.place - high, maxX: chord.place + TEXT_GAP, minY: chord.from, maxY: chord.to };
-    if (!obstacles.some((box) => boundsMeet(box, band))) return chord;
+    if (obstacles.some((box) => boundsMeet(box, band))) continue;
+    const [from, to] = [(chord.from + chord.to - width) / 2, (chord.from + chord.to + width) / 2];
+    const words = along === 0 ? { ...band, minX: from, maxX: to } : { ...band, minY: from, maxY: to };
+    if (!meetsEdges(keepOff, words)) return chord;
   }
   return null;
 }

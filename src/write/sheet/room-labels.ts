@@ -2,6 +2,7 @@ import { areaOf, combine } from '../../core/geometry/areas.ts';
 import { type Bounds, boundsMeet, boundsOf, ringsOf } from '../../core/geometry/rings.ts';
 import { type Affine, mapped, type SheetItem, type SheetText, TEXT_SIZES } from '../../core/sheet.ts';
 import type { Ring, Storey } from '../../core/types.ts';
+import { isClear, meetsEdges } from './clear-box.ts';
 import { isolated } from './isolated.ts';
 import { labelPoint } from './label-point.ts';
 import { type DisplayUnit, formatArea } from './measure-words.ts';
@@ -30,6 +31,8 @@ export interface LabelFacts {
   readonly unit: DisplayUnit;
   /** The plan on the sheet, mm; what does not fit its room stands around it. */
   readonly extent: Bounds;
+  /** What stands there already, mm: the chains of dimensions. */
+  readonly taken?: readonly Bounds[];
 }
 
 /** A label with the box it takes, mm. */
@@ -53,14 +56,18 @@ const LOOKS: readonly Look[] = [
 /**
  * Room names over areas; where no rooms are known, the area within the primary boundary.
  *
- * Each as near to where its room has most space as it fits in, clear of walls and structures; smaller, then turned, where
- * it does not fit; at the end of a line out of the plan where it fits in no way.
+ * Each as near to where its room has most space as it fits in, clear of walls and structures, and of furniture where that
+ * leaves it a place; smaller, then turned, where it does not fit; at the end of a line out of the plan where it fits in no
+ * way.
  */
-export function placeLabels({ storey, planToSheet, unit, extent }: LabelFacts): PlacedLabel[] {
+export function placeLabels({ storey, planToSheet, unit, extent, taken = [] }: LabelFacts): PlacedLabel[] {
   const structures = storey.secondary.map(({ outline }) => outline);
+  const furniture = ringsOf((storey.furniture ?? []).map(({ outline }) => outline)).map((ring) =>
+    mapped(ring, planToSheet),
+  );
   const rooms =
     storey.rooms.length > 0 ? storey.rooms : storey.primary.map((outline) => ({ name: '', outline }));
-  const ledOut: PlacedLabel[] = [];
+  const besides = [...taken];
   return rooms.flatMap(({ name, outline }): PlacedLabel[] => {
     const area = areaOf([outline]);
     if (area === 0) return [];
@@ -73,22 +80,31 @@ export function placeLabels({ storey, planToSheet, unit, extent }: LabelFacts): 
       .map((rings) => ({ rings, middle: labelPoint({ outer: rings[0], holes: rings.slice(1) }) }))
       .sort((a, b) => b.middle[2] - a.middle[2]);
     for (const look of LOOKS) {
-      for (const { rings, middle } of spaces) {
-        const placed = placeWithin(rings, middle, lines, look);
-        if (placed !== null) return [placed];
+      for (const keepOff of furniture.length > 0 ? [furniture, []] : [[]]) {
+        for (const { rings, middle } of spaces) {
+          const placed = placeWithin({ rings, middle, keepOff }, lines, look);
+          if (placed !== null) return [placed];
+        }
       }
     }
     const line = title === '' ? words : `${isolated(title)}, ${words}`;
-    const led = leadOut(spaces[0].middle, line, extent, ledOut);
-    ledOut.push(led);
+    const led = leadOut(spaces[0].middle, line, extent, besides);
+    besides.push(led.box);
     return [led];
   });
 }
 
+/** Where a label may stand, mm. */
+interface Space {
+  readonly rings: readonly Ring[];
+  readonly middle: readonly [x: number, y: number, distance: number];
+  /** Closed lines that it is not to lie on. */
+  readonly keepOff: readonly Ring[];
+}
+
 /** At the middle, or the place nearest to it that leaves the box clear. */
 function placeWithin(
-  rings: readonly Ring[],
-  [middleX, middleY]: readonly [number, number, number],
+  { rings, middle: [middleX, middleY], keepOff }: Space,
   lines: readonly string[],
   look: Look,
 ): PlacedLabel | null {
@@ -100,14 +116,15 @@ function placeWithin(
   const { minX, minY, maxX, maxY } = boundsOf(rings[0]);
   if (maxX - minX < width || maxY - minY < height) return null;
   let best: readonly [number, number] | null = null;
-  if (isClear(rings, boxAt(middleX, middleY))) best = [middleX, middleY];
+  const isFree = (box: Bounds) => isClear(rings, box) && !meetsEdges(keepOff, box);
+  if (isFree(boxAt(middleX, middleY))) best = [middleX, middleY];
   else {
     let nearest = Infinity;
     for (let i = 0; i < PLACES * PLACES; i++) {
       const x = minX + width / 2 + ((i % PLACES) / (PLACES - 1)) * (maxX - minX - width);
       const y = minY + height / 2 + (Math.floor(i / PLACES) / (PLACES - 1)) * (maxY - minY - height);
       const distance = Math.hypot(x - middleX, y - middleY);
-      if (distance < nearest && isClear(rings, boxAt(x, y))) [best, nearest] = [[x, y], distance];
+      if (distance < nearest && isFree(boxAt(x, y))) [best, nearest] = [[x, y], distance];
     }
   }
   return best && { items: textsAt(...best, lines, look), box: boxAt(...best) };
@@ -137,70 +154,51 @@ function textsAt(x: number, y: number, lines: readonly string[], look: Look): Sh
   });
 }
 
-/** On one line off the nearest side of the plan, beside those that stand there, with a line to its room. */
+/** On one line off a side of the plan, beside what stands there, where the line to its room is shortest. */
 function leadOut(
   [x, y]: readonly [number, number, number],
   text: string,
   { minX, minY, maxX, maxY }: Bounds,
-  others: readonly PlacedLabel[],
+  others: readonly Bounds[],
 ): PlacedLabel {
   const sides = [
-    { distance: maxY - y, edge: maxY + LED_OUT, isUpright: false },
-    { distance: y - minY, edge: minY - LED_OUT, isUpright: false },
-    { distance: x - minX, edge: minX - LED_OUT, isUpright: true },
-    { distance: maxX - x, edge: maxX + LED_OUT, isUpright: true },
+    { edge: maxY + LED_OUT, isUpright: false },
+    { edge: minY - LED_OUT, isUpright: false },
+    { edge: minX - LED_OUT, isUpright: true },
+    { edge: maxX + LED_OUT, isUpright: true },
   ];
-  const { edge, isUpright } = sides.reduce((best, each) => (each.distance < best.distance ? each : best));
-  const look: Look = { size: 'label', isUpright };
-  const [width, height] = sizeOf([text], look);
-  for (let i = 0; ; i++) {
-    // Where the room is, then to either side, farther and farther.
-    const aside = (i % 2 === 0 ? 1 : -1) * Math.ceil(i / 2) * (isUpright ? height : width);
-    const [textX, textY] = isUpright ? [edge, y + aside] : [x + aside, edge];
-    const box: Bounds = {
-      ...{ minX: textX - width / 2, maxX: textX + width / 2 },
-      ...{ minY: textY - height / 2, maxY: textY + height / 2 },
-    };
-    if (others.some((other) => boundsMeet(other.box, box))) continue;
+  const leads = sides.map(({ edge, isUpright }) => {
+    const look: Look = { size: 'label', isUpright };
+    const size = sizeOf([text], look);
+    const start = isUpright ? ([edge, y] as const) : ([x, edge] as const);
+    const box = freeBox(start, size, { along: isUpright ? 1 : 0, others });
     const end = [
       Math.min(Math.max(x, box.minX + BLANK), box.maxX - BLANK),
       Math.min(Math.max(y, box.minY + BLANK), box.maxY - BLANK),
-    ];
-    const line: SheetItem = {
-      ...{ kind: 'path', style: 'rule', lines: [Float64Array.of(x, y, ...end)], isClosed: false },
+    ] as const;
+    return { look, box, end, length: Math.hypot(end[0] - x, end[1] - y) };
+  });
+  const { look, box, end } = leads.reduce((best, each) => (each.length < best.length ? each : best));
+  const line: SheetItem = {
+    ...{ kind: 'path', style: 'rule', lines: [Float64Array.of(x, y, ...end)], isClosed: false },
+  };
+  const [textX, textY] = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2];
+  return { items: [line, ...textsAt(textX, textY, [text], look)], box };
+}
+
+/** The box about a place that meets no other: there, or to either side, farther and farther. */
+function freeBox(
+  start: readonly [number, number],
+  [width, height]: readonly [number, number],
+  { along, others }: { along: 0 | 1; others: readonly Bounds[] },
+): Bounds {
+  for (let i = 0; ; i++) {
+    const aside = (i % 2 === 0 ? 1 : -1) * Math.ceil(i / 2) * (TEXT_SIZES.label / 2);
+    const [x, y] = along === 0 ? [start[0] + aside, start[1]] : [start[0], start[1] + aside];
+    const box: Bounds = {
+      ...{ minX: x - width / 2, maxX: x + width / 2 },
+      ...{ minY: y - height / 2, maxY: y + height / 2 },
     };
-    return { items: [line, ...textsAt(textX, textY, [text], look)], box };
+    if (!others.some((other) => boundsMeet(other, box))) return box;
   }
-}
-
-/** Whether a box lies in a polygon without touching its edges. */
-function isClear(rings: readonly Ring[], box: Bounds): boolean {
-  const [x, y] = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2];
-  let isInside = false;
-  for (const ring of rings) {
-    for (let i = 0, j = ring.length - 2; i < ring.length; j = i, i += 2) {
-      const [ax, ay, bx, by] = [ring[j], ring[j + 1], ring[i], ring[i + 1]];
-      if (crosses(ax, ay, bx, by, box)) return false;
-      if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) isInside = !isInside;
-    }
-  }
-  return isInside;
-}
-
-/** Whether a segment comes into a box: what the sides of the box leave of it [Liang84]. */
-function crosses(ax: number, ay: number, bx: number, by: number, box: Bounds): boolean {
-  let [low, high] = [0, 1];
-  for (const [from, way, least, most] of [
-    [ax, bx - ax, box.minX, box.maxX],
-    [ay, by - ay, box.minY, box.maxY],
-  ]) {
-    if (way === 0) {
-      if (from <= least || from >= most) return false;
-      continue;
-    }
-    const [first, second] = [(least - from) / way, (most - from) / way];
-    low = Math.max(low, Math.min(first, second));
-    high = Math.min(high, Math.max(first, second));
-  }
-  return low < high;
 }

@@ -236,7 +236,10 @@ describe('bad words', () => {
   });
 
   it('prints help and version', async () => {
-    expect((await grundriss('--help')).stdout).toContain('--wall-thickness');
+    const help = (await grundriss('--help')).stdout;
+    expect(help).toContain('--wall-thickness');
+    expect(help).toContain('Default empty.');
+    expect(help).toMatch(/^ {2}geojson-wgs84 The same/m);
     expect((await grundriss('--version')).stdout).toMatch(/^\d+\.\d+\.\d+\n$/);
   });
 

@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { boundsMeet, boundsOf } from '../../../../src/core/geometry/rings.ts';
+import { type Bounds, boundsMeet, boundsOf } from '../../../../src/core/geometry/rings.ts';
 import { type Affine, mapped } from '../../../../src/core/sheet.ts';
+import { meetsEdges } from '../../../../src/write/sheet/clear-box.ts';
 import { type PlacedLabel, placeLabels } from '../../../../src/write/sheet/room-labels.ts';
 import { planOf, rectangle } from '../../solid/plans.ts';
 
@@ -94,4 +95,39 @@ test('a name of ten thousand letters is cut, so that it stays on the sheet', () 
 test('control characters in a name are blanks: some canvases take none', () => {
   const [{ items }] = labelsOf([{ name: 'a\nb\u0000c', outer: rectangle(0, 0, 5, 4) }]);
   expect(items.map((item) => item.kind === 'text' && item.text)).toContain('a b c');
+});
+
+test('a label keeps off the edges of furniture, and stands on them only where nothing else is left', () => {
+  const room = { name: 'Hall', outline: { outer: rectangle(0, 0, 5, 4), holes: [] } };
+  const withTable = (table: Float64Array) => {
+    const { storeys } = planOf({
+      storeys: [
+        {
+          rooms: [{ ...room, height: 2.5, confidence: 1 }],
+          furniture: [{ outline: { outer: table, holes: [] }, height: 0.7, confidence: 1, room: room.name }],
+        },
+      ],
+    });
+    const extent = boundsOf(mapped(room.outline.outer, TO_SHEET));
+    const [label] = placeLabels({ storey: storeys[0], planToSheet: TO_SHEET, unit: 'm', extent });
+    return { label, meets: meetsEdges([mapped(table, TO_SHEET)], label.box) };
+  };
+  const beside = withTable(rectangle(2.2, 1.8, 0.5, 0.4));
+  expect(beside.meets).toBe(false);
+  expect(isLedOut(beside.label)).toBe(false);
+  const everywhere = Array.from({ length: 40 }, (_, i) => [i / 8, (i % 2) * 4]).flat();
+  expect(isLedOut(withTable(Float64Array.from(everywhere)).label)).toBe(false);
+});
+
+test('a name led out keeps off the chains of dimensions', () => {
+  const rooms = [0, 1].map((i) => ({
+    ...{ name: `Store ${i}`, outline: { outer: rectangle(i * 0.5, 0, 0.4, 0.4), holes: [] } },
+    ...{ height: 2.5, confidence: 1 },
+  }));
+  const { storeys } = planOf({ storeys: [{ rooms }] });
+  const extent = boundsOf(mapped(rectangle(0, 0, 0.9, 0.4), TO_SHEET));
+  const place = (taken: readonly Bounds[]) =>
+    placeLabels({ storey: storeys[0], planToSheet: TO_SHEET, unit: 'm', extent, taken });
+  const chain = place([])[1].box;
+  for (const { box } of place([chain])) expect(boundsMeet(box, chain)).toBe(false);
 });
