@@ -28,7 +28,7 @@ export const WRITE_FORMATS = {
   png: {
     label: 'PNG',
     group: 'drawing',
-    doc: 'The drawn plan as a picture of 200 dots an inch; in Node it takes the package @napi-rs/canvas.',
+    doc: 'The drawn plan as a picture of 200 dots an inch, fewer on the largest papers; in Node it takes the package @napi-rs/canvas.',
     extension: 'png',
     mime: 'image/png',
     isPerStorey: true,
