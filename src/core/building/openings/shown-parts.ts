@@ -13,6 +13,9 @@ export interface PartEnd {
 /**
  * What a void between two ends shows: beside a jamb an opening ends where its sill and its head do, unless the scan sees through
  * what is past that. Where a void goes on, the wall behind may be hidden.
+ *
+ * Windows F1 of scenes .95 → .97. Not taken: voids hidden from 0.25 m on, and between two jambs wherever sill and head break off
+ * (doors of hard scenes 11 → 28 mm off their width).
  */
 export function shownParts(
   look: WallLook,
