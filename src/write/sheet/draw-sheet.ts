@@ -40,7 +40,7 @@ import { HATCHES } from './secondary-hatch.ts';
 import { fitPage, type Page } from './sheet-page.ts';
 import { sheetTurn } from './sheet-turn.ts';
 import { textWidth } from './text-width.ts';
-import { drawTitleBlock, type LegendEntry } from './title-block.ts';
+import { drawTitleBlock, type LegendEntry, titleRows } from './title-block.ts';
 
 /** Decimals of metres in data attributes: 0.1 mm. */
 const DATA_DIGITS = 4;
@@ -89,6 +89,7 @@ export function drawSheet(facts: SheetFacts, storey: number, warn: StageContext[
     ...{ taken: labels.map(({ box }) => box), figure: (mm) => formatDimension((mm * scale) / 1000, unit) },
   });
   const words = titleWords(facts, drawn, { scale, paper: paper.name, turn });
+  if (storey === 0) warnOfCutTitle(words.title, warn);
   const legend = legendOf(drawn, walls.gaps, openings);
   const block = drawTitleBlock({ ...words, ...headingOf(facts, turn), unit, legend }, paper, scale);
   const points: SheetItem[] = options.drawPoints
@@ -117,6 +118,16 @@ function warnOfCutNames({ rooms }: Storey, warn: StageContext['warn']): void {
     code: 'sheet/name-cut',
     message: `The name of the room “${cut[0]}”${others} is too long for the drawing, which shows its beginning.`,
     hint: 'Give the room a shorter name.',
+  });
+}
+
+function warnOfCutTitle(title: string, warn: StageContext['warn']): void {
+  const { rows } = titleRows(title);
+  if (rows.join(' ') === printable(title)) return;
+  warn({
+    code: 'sheet/name-cut',
+    message: `The title is too long for the drawing, which shows “${rows.join(' ')}”.`,
+    hint: 'Give the project a shorter name.',
   });
 }
 

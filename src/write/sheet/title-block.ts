@@ -1,11 +1,12 @@
 import { type Paper, type SheetItem, TEXT_SIZES } from '../../core/sheet.ts';
 import type { Opening } from '../../core/types.ts';
 import { greatestRound } from '../decimals.ts';
+import { printable } from '../printable.ts';
 import { hatch } from './hatch.ts';
 import { type DisplayUnit, METRES_PER_FOOT } from './measure-words.ts';
 import { HATCHES } from './secondary-hatch.ts';
 import { MARGIN, STRIP } from './sheet-page.ts';
-import { shorten } from './text-width.ts';
+import { shorten, textWidth } from './text-width.ts';
 
 /** A sample in the legend. */
 export type LegendEntry = 'wall' | 'inferred' | 'furniture' | Opening['type'] | keyof typeof HATCHES;
@@ -26,6 +27,8 @@ const TITLE_WIDTH = 96;
 /** The arrow: its column at the right edge, and half its length, mm. */
 const ARROW = { column: 14, reach: 4.5, head: 2.6, half: 1 } as const;
 const LINE_HEIGHT = 4.2;
+/** Between the rows of a long title, mm. */
+const ROW_GAP = 0.7;
 /** Segments of the scale bar, and what one may be long, mm. */
 const SEGMENTS = 4;
 const LONGEST_SEGMENT = 20;
@@ -60,11 +63,14 @@ export function drawTitleBlock(facts: TitleFacts, paper: Paper, scale: number): 
 }
 
 function drawTitle({ title, lines }: TitleFacts, x: number, top: number): SheetItem[] {
-  let y = top + 4 + TEXT_SIZES.title;
-  const text = shorten(title, TEXT_SIZES.title, TITLE_WIDTH - ARROW.column);
-  const items: SheetItem[] = [
-    { kind: 'text', size: 'title', x, y, text, anchor: 'start', id: 'sheet-title' },
-  ];
+  let y = top + 4;
+  const items: SheetItem[] = [];
+  const { size, rows } = titleRows(title);
+  rows.forEach((text, i) => {
+    y += TEXT_SIZES[size] + (i > 0 ? ROW_GAP : 0);
+    const id = i === 0 ? { id: 'sheet-title' } : {};
+    items.push({ kind: 'text', size, x, y, text, anchor: 'start', ...id });
+  });
   y += 1.5;
   for (const line of lines) {
     y += LINE_HEIGHT;
@@ -72,6 +78,19 @@ function drawTitle({ title, lines }: TitleFacts, x: number, top: number): SheetI
     items.push({ kind: 'text', size: 'label', x, y, text: short, anchor: 'start' });
   }
   return items;
+}
+
+/** A long title takes two smaller rows; what does not fit them is cut. */
+export function titleRows(title: string): { size: 'title' | 'room'; rows: readonly string[] } {
+  const width = TITLE_WIDTH - ARROW.column;
+  const whole = printable(title);
+  if (textWidth(whole, TEXT_SIZES.title) <= width) return { size: 'title', rows: [whole] };
+  const words = whole.split(' ');
+  let first = words.shift() ?? '';
+  while (words.length > 0 && textWidth(`${first} ${words[0]}`, TEXT_SIZES.room) <= width)
+    first += ` ${words.shift()}`;
+  const rows = [first, words.join(' ')].filter((row) => row !== '');
+  return { size: 'room', rows: rows.map((row) => shorten(row, TEXT_SIZES.room, width)) };
 }
 
 /** The arrow to north, or along the scan's y axis. */

@@ -95,6 +95,15 @@ test('project and date stand in the title block', async () => {
   expect(texts(sheet, 'title')).toContain('Floor plan, 2 May 2026');
 });
 
+test('a long title takes two rows; what they do not hold is cut, and said so', async () => {
+  const [building, warnings]: [string, Warning[]] = ['Extension of the administration building, ', []];
+  const sheet = await drawn({ project: `${building}north wing` }, home(), warnings);
+  expect(texts(sheet, 'title').join(' ')).toContain(`${building}north wing Floor plan`);
+  expect(warnings).toEqual([]);
+  await drawn({ project: building.repeat(4) }, home(), warnings);
+  expect(warnings.map(({ code }) => code)).toEqual(['sheet/name-cut']);
+});
+
 test('the arrow shows north where it is told or the coordinate system is known, else the y axis', async () => {
   const letter = (sheet: Sheet) =>
     texts(sheet, 'title').filter((text) => text.length === 1 && /\D/.test(text));
