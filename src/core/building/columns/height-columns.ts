@@ -33,6 +33,8 @@ export interface HeightColumns {
   readonly masks: Int32Array;
   /** Height of what hangs over the column, m, in the cloud's frame; NaN where nothing does. */
   readonly overhead: Float32Array;
+  /** 1 where the column lies in a wall whose level top was seen from above. */
+  readonly isWallTop: Uint8Array;
   /** 1 where the column has points on the floor; 2 where under the ceiling. */
   readonly planes: Uint8Array;
   /** Indices of the points between floor and ceiling, column by column. */
@@ -56,7 +58,7 @@ export function heightColumns(cloud: PointCloud, kept: Uint32Array, heights: Sto
     sorted,
     (i) => positions[3 * i + 2] >= bins.low && positions[3 * i + 2] < bins.high,
   );
-  const overhead = overheadOf({
+  const { overhead, isWallTop } = overheadOf({
     ...filled,
     table,
     size,
@@ -78,6 +80,7 @@ export function heightColumns(cloud: PointCloud, kept: Uint32Array, heights: Sto
     low: bins.low,
     masks: filled.masks,
     overhead,
+    isWallTop,
     planes: filled.planes,
     points: between.points,
     start: between.start,

@@ -28,24 +28,38 @@ export interface ColumnTops {
   readonly endsAt: (column: number, z: number) => boolean;
 }
 
+/** What hangs over columns. */
+export interface Overhead {
+  /** Height of the ceiling over each column, m, in the cloud's frame: the storey's, or a lowered one; NaN where none was seen. */
+  readonly overhead: Float32Array;
+  /** 1 for the columns over which a wall of a storey without ceiling ends in a level top, seen from above. */
+  readonly isWallTop: Uint8Array;
+}
+
 /**
- * Height of the ceiling over each column, m, in the cloud's frame: the storey's, or a lowered one; NaN where none was seen.
+ * Tells ceilings, and tops of walls that look like them.
  *
  * A lowered ceiling is a level surface with clear space below that goes on over many columns, and from there over what stands
  * under it. O(columns + points of those it goes on over).
  */
-export function overheadOf(tops: ColumnTops): Float32Array {
+export function overheadOf(tops: ColumnTops): Overhead {
   const overhead = candidates(tops);
+  const isWallTop = new Uint8Array(overhead.length);
+  // Without a ceiling, what lies level there are walls.
+  const highest = tops.heights.isOpenAbove ? tops.heights.ceiling - LEAST_DROP : Infinity;
   const kept = new Float32Array(overhead.length).fill(Number.NaN);
   const isVisited = Uint8Array.from(overhead, (z) => (Number.isNaN(z) ? 1 : 0));
   for (let seed = 0; seed < overhead.length; seed++) {
     if (isVisited[seed] === 1) continue;
     const surface = surfaceFrom(seed, overhead, isVisited, tops.table);
     if (surface.length * tops.size ** 2 < SMALLEST) continue;
-    for (const c of surface) kept[c] = overhead[c];
+    for (const c of surface) {
+      if (overhead[c] > highest) isWallTop[c] = 1;
+      else kept[c] = overhead[c];
+    }
   }
   goOnOver(kept, tops);
-  return kept;
+  return { overhead: kept, isWallTop };
 }
 
 /** Lets lowered ceilings go on over columns that end at their height, whatever else is in these. */
@@ -61,12 +75,9 @@ function goOnOver(overhead: Float32Array, { table, heights, endsAt }: ColumnTops
 }
 
 function candidates({ heights, masks, planes, heightsAbove }: ColumnTops): Float32Array {
-  const { floor, ceiling, isOpenAbove } = heights;
-  // Without a ceiling, what lies level there are the tops of walls, seen from above.
-  const highest = isOpenAbove ? ceiling - LEAST_DROP : Infinity;
+  const { floor, ceiling } = heights;
   return Float32Array.from(planes, (plane, c) => {
     if (plane & 2) return ceiling;
-    if (heightsAbove[c] > highest) return Number.NaN;
     // Noise spreads a surface over two bins.
     const lowest = highestBin(masks, c) - 1;
     const isClear = countBins(masks, c, lowest - CLEAR_BINS, lowest) === 0;

@@ -1,4 +1,4 @@
-import { countBins, hasBin } from './bin-masks.ts';
+import { countBins } from './bin-masks.ts';
 import { binAt, columnAt, type HeightColumns, topShare } from './height-columns.ts';
 
 /** A column with points in more of its bins is a wall's or furniture's: what is seen above or below it tells nothing. */
@@ -67,10 +67,10 @@ export function seenSpace(columns: HeightColumns): SeenSpace {
   };
 }
 
-/** Whether hardly anything is in a column below its ceiling; where there is none, what reaches the walls' top is a wall. */
+/** Whether hardly anything is in a column below its ceiling, and no wall's top over it. */
 export function isClearColumn(columns: HeightColumns, c: number): boolean {
-  const { overhead, masks, heights } = columns;
-  if (heights.isOpenAbove && hasBin(masks, c, columns.bins - 1)) return false;
+  const { overhead, masks, heights, isWallTop } = columns;
+  if (isWallTop[c] === 1) return false;
   const z = Number.isNaN(overhead[c]) ? heights.ceiling : overhead[c];
   const bins = binAt(columns, z);
   return countBins(masks, c, 0, bins) <= CLEAR_SHARE * bins && topShare(columns, masks, c, z) <= LINTEL_SHARE;

@@ -108,15 +108,21 @@ describe('what hangs over a column', () => {
     const model = new Scan()
       .level(0, [0, 0, 14, 4])
       .wall(2, [0, 14], [0, 2.7])
-      .wall(2.12, [0, 14], [0, 2.7])
-      .level(2.7, [0, 2, 14, 2.12])
+      .wall(2.24, [0, 14], [0, 2.7])
+      .level(2.7, [0, 2, 14, 2.24])
       .cloud();
     const own = columnsOf(model, { floor: 0, ceiling: 2.71, isOpenAbove: true });
-    const inWall = columnAt(own, 7, 2.06);
+    const inWall = columnAt(own, 7, 2.12);
     expect(own.overhead[inWall]).toBeNaN();
     expect(isClearColumn(own, inWall)).toBe(false);
-    expect(seenSpace(own).isOpen(7, 2.06)).toBe(false);
+    expect(seenSpace(own).isOpen(7, 2.12)).toBe(false);
     expect(seenSpace(own).isOpen(7, 1)).toBe(true);
+  });
+
+  it('is no top of a wall where a few points are as high', () => {
+    const room = new Scan().level(0, [0, 0, 6, 4]).wall(0, [0, 6], [0, 2.7]).level(2.68, [3, 2, 3.5, 2.5]);
+    const own = columnsOf(room.cloud(), { floor: 0, ceiling: 2.71, isOpenAbove: true });
+    expect(isClearColumn(own, columnAt(own, 3.2, 2.2))).toBe(true);
   });
 
   it('does not make a wall of a lowered ceiling, nor hide one that stands below it', () => {
