@@ -17,3 +17,8 @@ test('other holes stay', () => {
   };
   expect(aroundStructures(room, [column])).toBe(room);
 });
+
+test('a stub of a column’s face is no wall of the room: it lies in the column', () => {
+  const stub = reversed(rectangle(2.005, 1.99, 0.4, 0.12));
+  expect(aroundStructures({ outer, holes: [stub] }, [column])).toEqual({ outer, holes: [] });
+});
