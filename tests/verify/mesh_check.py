@@ -136,6 +136,7 @@ def check_glb(parts: Parts, plan: dict) -> float:
         volumes[kind] = volumes.get(kind, 0) + sum(mesh.volume for mesh in meshes)
     options = plan["options"]
     check_equal("plan.glb: walls", volumes.get("wall", 0), sum(map(wall_volume, plan["storeys"])))
+    check_equal("plan.glb: columns", volumes.get("column", 0), column_volume(plan))
     for kind in ("floor", "ceiling"):
         if options[f"{kind}Slab"]:
             expected = sum(slab_volume(storey, options["slabThickness"]) for storey in plan["storeys"])
@@ -143,16 +144,21 @@ def check_glb(parts: Parts, plan: dict) -> float:
     return sum(volumes.values())
 
 
-def standing_out(parts: Parts, plan: dict) -> float:
-    """Frames, panes and columns cut out of the area: parts of the model that are none of the solid, m³."""
-    filled = sum(m.volume for name, meshes in parts.items() if name.startswith(("door-", "window-")) for m in meshes)
-    columns = [
-        polygon(s["outline"]).area * storey["height"]
+def filled(parts: Parts) -> float:
+    """Frames and panes: parts of the model that are none of the print's, m³."""
+    return sum(m.volume for name, meshes in parts.items() if name.startswith(("door-", "window-")) for m in meshes)
+
+
+def column_volume(plan: dict) -> float:
+    """Columns as high as their storey; those cut out of the slabs go through them."""
+    options = plan["options"]
+    slabs = (options["floorSlab"] + options["ceilingSlab"]) * options["slabThickness"]
+    return sum(
+        polygon(s["outline"]).area * (storey["height"] + (slabs if s["operation"] == "subtract" else 0))
         for storey in plan["storeys"]
         for s in storey["secondary"]
-        if s["operation"] == "subtract" and s["type"] == "column"
-    ]
-    return filled + sum(columns)
+        if s["operation"] != "add" and s["type"] == "column"
+    )
 
 
 def main() -> None:
@@ -183,7 +189,7 @@ def main() -> None:
     if path.exists():
         mesh = trimesh.load_mesh(path)
         check("plan.stl: closed", closed(mesh), f"{len(mesh.faces)} triangles")
-        check_equal("plan.stl: volume", volume(mesh) * MILLIMETRES, whole - standing_out(parts, plan))
+        check_equal("plan.stl: volume", volume(mesh) * MILLIMETRES, whole - filled(parts))
 
 
 main()

@@ -1,4 +1,5 @@
 import { combine } from '../../core/geometry/areas.ts';
+import type { Options } from '../../core/params.ts';
 import type { Solid, SolidGroup, Storey } from '../../core/types.ts';
 import { extrude } from '../../solid/extrude.ts';
 import { structureName } from '../../solid/make-solid.ts';
@@ -62,7 +63,7 @@ export function modelParts({ plan, solid }: Pick<Product, 'plan' | 'solid'>): Mo
     return `${base}-${number}`;
   };
   const more = plan.storeys.flatMap((storey, i) =>
-    [...cutOutColumns(storey), ...framesOf(storey)].map(({ base, ...part }) => ({
+    [...cutOutColumns(storey, plan.options), ...framesOf(storey)].map(({ base, ...part }) => ({
       ...{ name: next(base), storey: i, ...part },
     })),
   );
@@ -71,14 +72,19 @@ export function modelParts({ plan, solid }: Pick<Product, 'plan' | 'solid'>): Mo
 
 type Unnamed = Pick<ModelPart, 'facts' | 'surfaces'> & { readonly base: string };
 
-/** A shaft that is cut out stays a hole through the slabs. */
-function cutOutColumns({ secondary, floor, height }: Storey): Unnamed[] {
+/** They fill the holes that they leave in the slabs; a shaft that is cut out stays a hole. */
+function cutOutColumns(
+  { secondary, floor, height }: Storey,
+  { floorSlab, ceilingSlab, slabThickness }: Options,
+): Unnamed[] {
+  const low = floor - (floorSlab ? slabThickness : 0);
+  const high = floor + height + (ceilingSlab ? slabThickness : 0);
   return secondary.flatMap(({ outline, operation, type }) => {
     if (operation !== 'subtract' || type !== 'column') return [];
     return separatePinches(combine('union', [outline])).map((polygon) => ({
       base: structureName(type),
       facts: { kind: 'secondary' },
-      surfaces: [{ material: 'secondary' as const, mesh: extrude(polygon, floor, floor + height) }],
+      surfaces: [{ material: 'secondary' as const, mesh: extrude(polygon, low, high) }],
     }));
   });
 }

@@ -1,30 +1,38 @@
 import type { Product } from '../plan-writer.ts';
 import { oneLine } from './model-notes.ts';
+import { type MaterialName, meshSize, modelParts } from './model-parts.ts';
 
 const HEADER = 80;
 /** A normal, three corners and two bytes without a meaning. */
 const FACET = 50;
 /** STL names no unit; what reads it takes millimetres. */
 const PER_METRE = 1000;
+/** Of these are frames and panes: too thin to print. */
+const THIN: ReadonlySet<MaterialName> = new Set(['frame', 'glass']);
 
 /**
- * Writes plan.stl: the closed shells of the solid alone, fit for print, so without frames and panes; binary, millimetres,
+ * Writes plan.stl: the closed shells of the model's parts, fit for print, so without frames and panes; binary, millimetres,
  * z up, float32 relative to the frame's origin, which the header names as far as its 80 bytes reach. Facets without area
  * once rounded are left out: their corners are one.
  */
 export function writeStl({ plan, solid }: Product): Uint8Array<ArrayBuffer> {
-  const corners = new Float32Array(solid.positions.map((value) => value * PER_METRE));
-  const { indices } = solid;
-  const view = new DataView(new ArrayBuffer(HEADER + 4 + (indices.length / 3) * FACET));
+  const meshes = modelParts({ plan, solid })
+    .flatMap(({ surfaces }) => surfaces)
+    .filter(({ material }) => !THIN.has(material))
+    .map(({ mesh }) => mesh);
+  const view = new DataView(new ArrayBuffer(HEADER + 4 + meshSize(meshes).triangles * FACET));
   const origin = plan.frame.planOrigin.map((value) => Number(value.toFixed(4))).join(' ');
   // A header that began with "solid" would pass for text.
   const header = new TextEncoder().encode(`mm, z up, from ${origin} ${oneLine(plan.frame.unit)}; Grundriss`);
   new Uint8Array(view.buffer).set(header.subarray(0, HEADER));
   let facets = 0;
-  for (let i = 0; i < indices.length; i += 3) {
-    const triangle = [0, 1, 2].map((k) => corners.subarray(3 * indices[i + k], 3 * indices[i + k] + 3));
-    if (hasCommonCorner(triangle)) continue;
-    writeFacet(view, HEADER + 4 + facets++ * FACET, triangle);
+  for (const { positions, indices } of meshes) {
+    const corners = new Float32Array(positions.map((value) => value * PER_METRE));
+    for (let i = 0; i < indices.length; i += 3) {
+      const triangle = [0, 1, 2].map((k) => corners.subarray(3 * indices[i + k], 3 * indices[i + k] + 3));
+      if (hasCommonCorner(triangle)) continue;
+      writeFacet(view, HEADER + 4 + facets++ * FACET, triangle);
+    }
   }
   view.setUint32(HEADER, facets, true);
   return new Uint8Array(view.buffer, 0, HEADER + 4 + facets * FACET);

@@ -144,7 +144,20 @@ test('PLY: doubles at true source coordinates, bit for bit', async () => {
   expect(checkSolid(mesh)).toMatchObject({ watertight: true, volume: expect.closeTo(volumeOf(product), 3) });
 });
 
-test('STL: the solid alone in millimetres from the origin that the header names', async () => {
+test('a column cut out of the slabs goes through them, in the print too', async () => {
+  const product = await productOf(furnished());
+  const { floor, height } = product.plan.storeys[0];
+  const column = modelParts(product).find(({ name }) => name === 'column-1')!.surfaces[0].mesh;
+  const heights = column.positions.filter((_, i) => i % 3 === 2);
+  const low = floor - product.plan.options.slabThickness;
+  expect([Math.min(...heights), Math.max(...heights)]).toEqual([low, floor + height]);
+  const { corners } = readStl(writeStl(product));
+  const own = column.positions.map((value) => Math.fround(1000 * value));
+  const has = (x: number) => corners.some((value, i) => i % 3 === 0 && value === x);
+  expect(own.filter((_, i) => i % 3 === 0).every(has)).toBe(true);
+});
+
+test('STL: all but frames and panes in millimetres from the origin that the header names', async () => {
   const product = await productOf(furnished(UTM));
   const { header, corners } = readStl(writeStl(product));
   expect(header).toContain('mm, z up, from 691000.1234 5334000.7654 512.5 m');
