@@ -120,14 +120,16 @@ function outlineSide(
   };
 }
 
+/** Mitres that cross each other, at a side between steps shorter than walls are thick, are left out: it ends at right angles. */
 function wallsAround(sides: readonly OutlineSide[]): PlannedWall[] {
   const n = sides.length;
   return sides.map((side, i): PlannedWall => {
-    const { number, thickness, inner, circles } = side;
+    const { number, thickness, inner, outer, circles } = side;
     const start = cornerOf(sides[(i + n - 1) % n], side, thickness);
     const end = cornerOf(side, sides[(i + 1) % n], thickness);
     const out = [start.ofSecond, ...between(side, start.ofSecond, end.ofFirst), end.ofFirst].reverse();
-    const ring = Float64Array.from([...inner, ...out].flat());
+    const mitred = Float64Array.from([...inner, ...out].flat());
+    const ring = isSimpleRing(mitred) ? mitred : Float64Array.from([...inner, ...outer.toReversed()].flat());
     return { side: number, ring, thickness, length: lengthOf(inner), circles };
   });
 }

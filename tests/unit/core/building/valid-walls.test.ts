@@ -48,3 +48,16 @@ it.each([0.2, 0.5, 0.7])('outer walls in an alcove %f m wide do not overlap, nor
   const alcove = area(3, 0, 3 + width, 0, 3 + width, 2, 3, 2);
   expect(areaOf(combine('intersection', walls, [alcove]))).toBeGreaterThan(0.8 * 2 * width);
 });
+
+it('a step of a few millimetres beside a corner leaves no hole in the walls', () => {
+  const [stepped, plain] = [
+    area(8, 0, 8, 8, 0, 8, 0, 4, 4.005, 4, 4.005, 3.5, 4, 3.5, 4, 0),
+    area(8, 0, 8, 8, 0, 8, 0, 4, 4, 4, 4, 0),
+  ].map((outline) => {
+    const sides = outline.outer.length / 2;
+    const walls = outerWalls([outline], Array(sides).fill(0.36)).map((wall) => wall.outline);
+    expect(areaOf(combine('union', walls))).toBeCloseTo(areaOf(walls), 4);
+    return combine('union', [outline, ...walls]);
+  });
+  expect(areaOf(stepped)).toBeCloseTo(areaOf(plain), 2);
+});
