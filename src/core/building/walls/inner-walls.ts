@@ -9,6 +9,8 @@ import { wallStrips } from './wall-strips.ts';
 
 /** Half the width of what is no wall but rounding, m. */
 const SLIVER = 0.001;
+/** Half the width of a crack between pieces of one wall: more than rounding leaves, m. */
+const CRACK = 1e-5;
 /** Leftovers of walls smaller than this are debris, m². */
 const DEBRIS = 1e-4;
 
@@ -32,7 +34,8 @@ export function innerWalls(
     solid,
     strips.map(({ ring }) => ring),
   );
-  const rest = withoutSlivers(combine('difference', solid, pieces.flat()));
+  // Hairlines along the pieces, some of them folded back on themselves, would be in the way of what is left.
+  const rest = withoutSlivers(combine('difference', solid, grow(pieces.flat(), CRACK)));
   for (const leftover of rest) {
     if (areaOf([leftover]) < DEBRIS) continue;
     const near = nearestPiece(leftover, pieces);
@@ -66,7 +69,8 @@ function withoutSlivers(areas: readonly Polygon[]): Polygon[] {
 
 /** A wall's pieces with one more, joined where that makes one without a hole. */
 function joined(piece: readonly Polygon[], leftover: Polygon): Polygon[] {
-  const whole = combine('union', [...piece, leftover]);
+  const union = combine('union', [...piece, leftover]);
+  const whole = union.length > piece.length ? grow(grow(union, CRACK), -CRACK) : union;
   return whole.every(({ holes }) => holes.length === 0) ? whole : [...piece, leftover];
 }
 
