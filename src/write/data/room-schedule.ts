@@ -13,7 +13,7 @@ export interface RoomLine {
   readonly number: number;
   readonly storey: number;
   readonly name: string;
-  /** Between the inner faces of its walls. */
+  /** Between the inner faces of its walls; with the columns and shafts that stand free in it. */
   readonly areaM2: number;
   /** Along its outline, and around what stands out of it. */
   readonly perimeterM: number;
@@ -41,7 +41,7 @@ export interface AreaLine {
 /** What each total means, in words for whoever reads the schedule. */
 export const AREA_RULES = {
   netInternal:
-    'Sum of the rooms: the area between the inner faces of their walls, walls and shafts left out.',
+    'Sum of the rooms: the area between the inner faces of their walls; columns and shafts that stand free in a room are counted with it.',
   grossInternal:
     'Area inside the inner faces of the outer walls: all rooms and the walls between them; courtyards left out.',
   grossExternal: 'Area inside the outer faces of the outer walls; courtyards left out.',

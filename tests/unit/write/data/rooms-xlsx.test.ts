@@ -2,10 +2,10 @@ import { unzipSync } from 'fflate';
 import readSheets from 'read-excel-file/node';
 import { describe, expect, it } from 'vitest';
 import type { FloorPlan } from '../../../../src/core/types.ts';
-import { areaLines, roomLines } from '../../../../src/write/data/room-schedule.ts';
+import { AREA_RULES, areaLines, roomLines } from '../../../../src/write/data/room-schedule.ts';
 import { writeRoomsCsv } from '../../../../src/write/data/rooms-csv.ts';
 import { writeRoomsXlsx } from '../../../../src/write/data/rooms-xlsx.ts';
-import { planOf } from '../../solid/plans.ts';
+import { planOf, rectangle, secondary } from '../../solid/plans.ts';
 import { parseXml } from '../drawing/strict-xml.ts';
 import { HOSTILE_NAMES, twoRooms } from './rooms-plans.ts';
 
@@ -30,6 +30,14 @@ describe('the schedule', () => {
       expect(area.grossInternalM2).toBeCloseTo(6.2 * 4, 9);
       expect(area.grossExternalM2).toBeCloseTo(6.8 * 4.6, 4);
     }
+  });
+
+  it('counts a column with its room, and says so', () => {
+    const [storey] = house.storeys;
+    const column = secondary(rectangle(1, 1, 0.5, 0.5), 'subtract');
+    const [area] = areaLines({ ...house, storeys: [{ ...storey, secondary: [column] }] });
+    expect(area.netInternalM2).toBe(24);
+    expect(AREA_RULES.netInternal).toContain('columns and shafts that stand free in a room are counted');
   });
 
   it('of an outline alone knows what is gross', () => {
