@@ -1,4 +1,4 @@
-import type { Ring } from '../../types.ts';
+import type { Polygon, Ring } from '../../types.ts';
 import { type CutSegments, cutSegments, type Segment } from './cut-segments.ts';
 
 /**
@@ -153,4 +153,13 @@ export function ringFrom(
     g = next[g];
   } while (g !== h);
   return Float64Array.from(ring);
+}
+
+/** The area of a face, less what lies within it. */
+export function faceArea(arrangement: Arrangement, f: number): Polygon {
+  const { faceEdge, holes } = arrangement;
+  return {
+    outer: ringFrom(arrangement, faceEdge[f]),
+    holes: holes[f].map((h) => ringFrom(arrangement, h)),
+  };
 }

@@ -13,6 +13,7 @@ import { RETURN_LINE, type Segment } from './cut-segments.ts';
 import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
 import { labelSpace } from './label-space.ts';
 import { missingBacks } from './missing-backs.ts';
+import { withoutNecks } from './necks.ts';
 import { takenSupport } from './taken-walls.ts';
 import { traceRooms } from './trace-rooms.ts';
 import { type EndSite, wallEnds } from './wall-ends.ts';
@@ -89,14 +90,17 @@ function subdivide({ faces, supports }: WallFaces, site: EndSite): FoundRooms {
   const { columns, seen } = site;
   const segments = faces.map((face, line) => segmentOf(face, line));
   const ties = faces.flatMap((face, line) => (face.reach === 0 ? [{ ...tieOf(face), line }] : []));
-  const ends = wallEnds({ faces, supports }, site);
+  const taken = takenSupport(faces, supports, seen);
+  const ends = wallEnds({ faces, supports }, taken, site);
   const arrangement = arrange([...segments, ...ties, ...ends]);
-  const taken = withCurves(faces, takenSupport(faces, supports, seen), seen);
-  const support = edgeSupport(arrangement, faces, taken);
+  const support = edgeSupport(arrangement, faces, withCurves(faces, taken, seen));
   const space = labelSpace(arrangement, columns, seen, support);
   const curves = [...new Set(faces.flatMap(({ arc }) => arc ?? []))];
   const rooms = traceRooms(arrangement, space.isRoom, support, curves);
-  return { faces, arrangement, support, space, curves, rooms };
+  const found = { faces, arrangement, support, space, curves, rooms };
+  const parted = withoutNecks(found);
+  if (parted === null) return found;
+  return { ...found, ...parted, rooms: traceRooms(arrangement, parted.space.isRoom, parted.support, curves) };
 }
 
 function segmentOf(face: WallFace, line: number): Segment {

@@ -1,7 +1,8 @@
+import { polygonArea } from '../../geometry/rings.ts';
 import type { HeightColumns } from '../columns/height-columns.ts';
 import type { SeenSpace } from '../columns/seen-space.ts';
 import type { Arrangement } from './arrangement.ts';
-import { ringFrom } from './arrangement.ts';
+import { faceArea, ringFrom } from './arrangement.ts';
 import { MinCut } from './max-flow.ts';
 
 /** What a metre of boundary without any wall costs, in m² of space labelled against its evidence. */
@@ -43,7 +44,7 @@ export function labelSpace(
   const solid = areasOf(arrangement, columns, owner, isBetween);
   const { face, areas, x, y, origin } = arrangement;
   const cut = new MinCut(areas.length);
-  const own = ownAreas(arrangement);
+  const own = areas.map((_, f) => polygonArea(faceArea(arrangement, f)));
   for (let f = 0; f < areas.length; f++) {
     const inside = Math.min(own[f], seen[f]);
     const unseen = own[f] - inside;
@@ -58,19 +59,6 @@ export function labelSpace(
     else cut.addEdge(f, g, cost);
   }
   return { isRoom: cut.solve(), seen };
-}
-
-function ownAreas({ areas, holes, x, y, origin, next }: Arrangement): Float64Array {
-  return areas.map((area, f) => {
-    let rest = area;
-    for (const h of holes[f]) {
-      const ring = ringFrom({ x, y, origin, next }, h);
-      for (let i = 0, j = ring.length - 2; i < ring.length; j = i, i += 2) {
-        rest += (ring[j] * ring[i + 1] - ring[i] * ring[j + 1]) / 2;
-      }
-    }
-    return rest;
-  });
 }
 
 /** The face that the middle of each column lies in; −1 outside all. */

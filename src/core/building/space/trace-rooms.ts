@@ -13,7 +13,7 @@ const SMALLEST_ROOM = 0.8;
 /** A room is wider than this over most of its length, m; what is narrower is a wall or a cavity. */
 const NARROWEST_ROOM = 0.6;
 /** Parts of a room that a wall stands between to this share are two rooms. */
-const PARTING = 0.5;
+export const PARTING = 0.5;
 /** Rooms that share less than this do so by rounding, m². */
 const LEAST_OVERLAP = 1e-4;
 
@@ -49,8 +49,7 @@ export function traceRooms(
     const outer = rings
       .filter((ring) => signedArea(ring) > 0)
       .sort((a, b) => signedArea(b) - signedArea(a))[0];
-    if (!outer || signedArea(outer) < SMALLEST_ROOM) return [];
-    if ((2 * signedArea(outer)) / perimeter(outer) < NARROWEST_ROOM / 1.1) return [];
+    if (!outer || !isRoomSized({ outer })) return [];
     return [{ faces, outline: { outer, holes: rings.filter((ring) => signedArea(ring) < 0) } }];
   });
   const outlines = keptApart(rooms.map(({ outline }) => outline));
@@ -58,6 +57,12 @@ export function traceRooms(
     const outline = outlines[i];
     return outline ? [{ outline, faces, areaM2: polygonArea(outline) }] : [];
   });
+}
+
+/** Whether an outline is as large and as wide as a room, at least. */
+export function isRoomSized({ outer }: Pick<Polygon, 'outer'>): boolean {
+  const area = signedArea(outer);
+  return area >= SMALLEST_ROOM && (2 * area) / perimeter(outer) >= NARROWEST_ROOM / 1.1;
 }
 
 /**

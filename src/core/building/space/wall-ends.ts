@@ -56,7 +56,11 @@ export interface EndSite extends BlindSite {
  * cupboards) or as flat (.689 → .693, but jogs along the glass wall of a real room); on whichever side a face stands (rooms
  * of hard offices .88 → .80); only where no reveal was seen (no difference).
  */
-export function wallEnds({ faces, supports }: WallFaces, site: EndSite): Segment[] {
+export function wallEnds(
+  { faces, supports }: WallFaces,
+  taken: readonly FaceSupport[],
+  site: EndSite,
+): Segment[] {
   return faces.flatMap((face, i) =>
     face.reach === 0
       ? []
@@ -65,7 +69,9 @@ export function wallEnds({ faces, supports }: WallFaces, site: EndSite): Segment
           if (!isOpenPast(face, bitEnd, way, site.seen)) return [];
           const end: WallEnd = { face, along: endByPoints(site, face, bitEnd, way), way };
           const blind = bodySide(site, end);
-          return [1, -1].flatMap((side) => strokesFrom(end, { faces, supports }, side, side === blind));
+          return [1, -1].flatMap((side) =>
+            strokesFrom(end, { faces, supports: taken }, side, side === blind),
+          );
         }),
   );
 }
