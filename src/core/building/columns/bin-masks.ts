@@ -26,3 +26,11 @@ export function highestBin(masks: Int32Array, owner: number): number {
   const [low, high] = [masks[2 * owner], masks[2 * owner + 1]];
   return high !== 0 ? WORD + 31 - Math.clz32(high) : 31 - Math.clz32(low);
 }
+
+/** The lowest filled bin; −1 where none is. */
+export function lowestBin(masks: Int32Array, owner: number): number {
+  const [low, high] = [masks[2 * owner], masks[2 * owner + 1]];
+  const lowestOf = (word: number) => 31 - Math.clz32(word & -word);
+  if (low !== 0) return lowestOf(low);
+  return high !== 0 ? WORD + lowestOf(high) : -1;
+}

@@ -1,5 +1,6 @@
 import { countBins } from './bin-masks.ts';
 import { binAt, columnAt, type HeightColumns, topShare } from './height-columns.ts';
+import { levelTops } from './level-tops.ts';
 
 /** A column with points in more of its bins is a wall's or furniture's: what is seen above or below it tells nothing. */
 const CLEAR_SHARE = 0.3;
@@ -23,7 +24,7 @@ export interface SeenSpace {
   readonly isBetween: Uint8Array;
   /** Whether the ceiling hangs free over a place, or where a storey has none the floor was seen there. */
   at(x: number, y: number): boolean;
-  /** Whether a floor or a ceiling was seen at a place where nothing stands. */
+  /** Whether a floor, a ceiling or the top of a table was seen at a place where nothing stands higher. */
   isOpen(x: number, y: number): boolean;
 }
 
@@ -49,6 +50,7 @@ export function seenSpace(columns: HeightColumns): SeenSpace {
     isSeen[c] = clear ? 1 : 0;
   }
   const hasCeiling = isCeiled(columns);
+  const isTop = levelTops(columns);
   const clearAt = (x: number, y: number) => {
     const c = columnAt(columns, x, y);
     return c >= 0 && isClear(c) ? c : -1;
@@ -62,7 +64,7 @@ export function seenSpace(columns: HeightColumns): SeenSpace {
     },
     isOpen(x, y) {
       const c = clearAt(x, y);
-      return c >= 0 && (planes[c] !== 0 || !Number.isNaN(overhead[c]));
+      return c >= 0 && (planes[c] !== 0 || !Number.isNaN(overhead[c]) || isTop[c] === 1);
     },
   };
 }

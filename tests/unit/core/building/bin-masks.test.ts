@@ -3,6 +3,7 @@ import {
   countBins,
   hasBin,
   highestBin,
+  lowestBin,
   MOST_BINS,
   setBin,
 } from '../../../../src/core/building/columns/bin-masks.ts';
@@ -14,7 +15,11 @@ it('every bin of a mask is told apart, its owner too', () => {
     expect(Array.from({ length: MOST_BINS }, (_, k) => hasBin(masks, 1, k)).indexOf(true)).toBe(bin);
     expect(countBins(masks, 1, 0, MOST_BINS)).toBe(1);
     expect(highestBin(masks, 1)).toBe(bin);
+    expect(lowestBin(masks, 1)).toBe(bin);
     expect([0, 2].map((owner) => highestBin(masks, owner))).toEqual([-1, -1]);
+    expect([0, 2].map((owner) => lowestBin(masks, owner))).toEqual([-1, -1]);
+    setBin(masks, 1, MOST_BINS - 1);
+    expect(lowestBin(masks, 1)).toBe(bin);
   }
 });
 

@@ -218,3 +218,28 @@ describe('seen space', () => {
     expect(seen.isOpen(2, 2)).toBe(false);
   });
 });
+
+describe('the level top of furniture', () => {
+  const floor = [
+    [0, 0, 6, 1],
+    [0, 1, 2, 3],
+    [4, 1, 6, 3],
+    [0, 3, 6, 4],
+  ] as const;
+  const room = floor.reduce((scan, part) => scan.level(0, part), new Scan());
+  const cloud = room
+    .level(0.75, [2, 1, 4, 2.4])
+    .level(0.9, [2, 2.7, 4, 2.8])
+    .wall(0, [0, 6], [0, 2.7])
+    .cloud();
+  const seen = seenSpace(columnsOf(cloud, { floor: 0, ceiling: 2.71, isOpenAbove: true }));
+
+  it('shows that no wall stands there, whatever of the floor it hides', () => {
+    expect(seen.isOpen(3, 1.7)).toBe(true);
+  });
+
+  it('is larger than a sill', () => {
+    expect(seen.isOpen(3, 2.75)).toBe(false);
+    expect(seen.isOpen(3, 2.55)).toBe(false);
+  });
+});
