@@ -114,6 +114,24 @@ describe('a gap of a wall where a corridor leads off', () => {
   });
 });
 
+describe('a wall of which one face was seen', () => {
+  // Its other face is one of two lines: one stands near by over much, one far off over little.
+  const walls = [wall('y', 4, 0, 1), wall('y', 4.19, 5, 9.5), wall('y', 4.36, 0, 10)];
+  const none = new Uint8Array(0);
+  const isBeyond: SeenSpace['at'] = (_, y) => y > 4.4;
+  const taken = takenSupport(
+    walls.map(({ face }) => face),
+    walls.map(({ own }) => own),
+    { isSeen: none, isBetween: none, at: isBeyond, isOpen: isBeyond },
+  );
+
+  it('is as thick as the nearer and longer line tells', () => {
+    const standsAt = (i: number, x: number) =>
+      taken[i].shares[Math.floor((-x - taken[i].from) / STEP)] >= WALL_SHARE;
+    expect([0, 1].map((i) => standsAt(i, 4.5))).toEqual([false, true]);
+  });
+});
+
 describe('a column in line with a wall', () => {
   const long = wall('y', 4, 1, 4);
 
@@ -134,6 +152,12 @@ describe('a column in line with a wall', () => {
 
   it('stands by itself where space was seen around it', () => {
     expect(isJoined(5.4, around(5.4))).toBe(false);
+  });
+
+  it('stands by itself where the line runs along its rim, as a round one', () => {
+    const besideWall = (x: number, y: number) =>
+      Math.abs(x - 4.7) > 0.05 && Math.hypot(x - 5.1, y - 4.15) > 0.2;
+    expect(isJoined(5.2, besideWall)).toBe(false);
   });
 
   it('is the end of the wall where it goes on, or nothing shows that it does not', () => {
@@ -191,31 +215,34 @@ describe('a wall that steps', () => {
   ];
   const [from, to, front] = [2, 2.5, 0.3];
 
-  it('has the corners of a pilaster of which only the front was seen', () => {
-    const faces: [Vec2, Vec2][] = [
-      ...rest,
-      [
-        [0, 0],
+  it.each([0, 0.4])(
+    'has the corners of a pilaster of which only the front was seen, and of the wall past it what begins %d m on',
+    (hidden) => {
+      const faces: [Vec2, Vec2][] = [
+        ...rest,
+        [
+          [0, 0],
+          [from, 0],
+        ],
+        [
+          [from, front],
+          [to, front],
+        ],
+        [
+          [to + hidden, 0],
+          [WIDTH, 0],
+        ],
+      ];
+      const ring = outlineOf(roomWith([from, 0, to, front], faces));
+      for (const corner of [
         [from, 0],
-      ],
-      [
         [from, front],
         [to, front],
-      ],
-      [
         [to, 0],
-        [WIDTH, 0],
-      ],
-    ];
-    const ring = outlineOf(roomWith([from, 0, to, front], faces));
-    for (const corner of [
-      [from, 0],
-      [from, front],
-      [to, front],
-      [to, 0],
-    ] as const)
-      expect(distanceTo(ring, corner)).toBeLessThan(0.03);
-  });
+      ] as const)
+        expect(distanceTo(ring, corner)).toBeLessThan(0.03);
+    },
+  );
 
   it('has no corners where it does not', () => {
     const ring = outlineOf(
