@@ -168,7 +168,7 @@ def check_spaces(ifc_storey, storey, bodies):
     found = spaces(ifc_storey)
     rooms = storey['rooms']
     wrong = [] if len(found) == len(rooms) else [f'expected {len(rooms)}, found {len(found)}']
-    names = [f'{s.Name!r:.60} for {r["name"]!r:.60}' for s, r in zip(found, rooms) if not same_name(s, r['name'])]
+    names = [f'{s.LongName!r:.60} for {r["name"]!r:.60}' for s, r in zip(found, rooms) if not same_name(s, r['name'])]
     check(f'{ifc_storey.Name}, spaces', wrong + names, f'{len(found)}, names as the rooms')
     areas, volumes = [], []
     structures = unary_union([shape(s['outline']) for s in storey['secondary']])
@@ -185,7 +185,7 @@ def check_spaces(ifc_storey, storey, bodies):
 
 
 def same_name(thing, name):
-    return thing.Name == clean(name) or (len(name) > 255 and thing.Description == clean(name))
+    return thing.LongName == clean(name) or (len(name) > 255 and thing.Description == clean(name))
 
 
 def clean(name):

@@ -21,7 +21,7 @@ VOLUME_ERROR = 0.05
 COLUMNS = {
     "No.": "number",
     "Storey": "storey",
-    "Net area (m²)": "areaM2",
+    "Area (m²)": "areaM2",
     "Perimeter (m)": "perimeterM",
     "Height (m)": "heightM",
     "Volume (m³)": "volumeM3",

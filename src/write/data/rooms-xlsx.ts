@@ -21,7 +21,7 @@ const COLUMNS: readonly Column[] = [
   { label: 'No.', key: 'number', style: 'whole', width: 6 },
   { label: 'Storey', key: 'storey', style: 'whole', width: 8 },
   { label: 'Room', key: 'name', style: 'text', width: 30 },
-  { label: 'Net area (m²)', key: 'areaM2', style: 'metres', width: 14, isSummed: true },
+  { label: 'Area (m²)', key: 'areaM2', style: 'metres', width: 14, isSummed: true },
   { label: 'Perimeter (m)', key: 'perimeterM', style: 'metres', width: 14 },
   { label: 'Height (m)', key: 'heightM', style: 'metres', width: 12 },
   { label: 'Volume (m³)', key: 'volumeM3', style: 'metres', width: 14, isSummed: true },

@@ -9,6 +9,8 @@ export interface Identity {
   readonly role: string;
   readonly content: string;
   readonly name: string;
+  /** What the name stands for, where it is a number. */
+  readonly longName?: string;
   readonly objectType?: string;
 }
 
@@ -50,11 +52,15 @@ export class IfcModel {
    *
    * @param values what follows name, description and object type
    */
-  thing(type: string, { role, content, name, objectType }: Identity, ...values: readonly StepValue[]): Ref {
+  thing(
+    type: string,
+    { role, content, name, longName = name, objectType }: Identity,
+    ...values: readonly StepValue[]
+  ): Ref {
     const kind = objectType === undefined ? OMITTED : label(objectType);
     return this.file.add(
       type,
-      ...[this.guids.next(role, content), OMITTED, label(name), cutLabel(name), kind, ...values],
+      ...[this.guids.next(role, content), OMITTED, label(name), cutLabel(longName), kind, ...values],
     );
   }
 

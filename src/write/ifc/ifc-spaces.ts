@@ -11,21 +11,22 @@ import { label, OMITTED } from './step-text.ts';
 import { EVIDENCE, type StoreyModel } from './storey-model.ts';
 import { areNear, doorwayWidths } from './storey-parts.ts';
 
-/** A space a room, in their order; one without area has no shape. */
-export function addSpaces({ model, storey, place, openings }: StoreyModel): Ref[] {
+/** A space a room, in their order, named by its number in the room schedule; one without area has no shape. */
+export function addSpaces({ model, storey, place, openings, roomsBelow }: StoreyModel): Ref[] {
   const doorways = doorwayWidths(storey.rooms, openings);
   return storey.rooms.map((room, i) => {
+    const number = `${roomsBelow + i + 1}`;
     const space = model.thing(
       'IFCSPACE',
       // Called otherwise, it stays the same space.
-      { role: 'space', content: `${storey.index} ${automaticName(i)}`, name: room.name },
+      { role: 'space', content: `${storey.index} ${automaticName(i)}`, name: number, longName: room.name },
       ...[model.shapes.place(place), model.shapes.prisms(filePolygons(room.outline), room.height, 'space')],
       ...[label(room.name), '.ELEMENT.', '.INTERNAL.', OMITTED],
     );
     measureSpace(model, space, { room, storey, doorways: doorways[i] });
     const unseen = storey.gaps.filter((gap) => roomOfGap(storey.rooms, gap) === i);
     model.properties.properties(space, 'Pset_SpaceCommon', [
-      ['Reference', asIdentifier(room.name)],
+      ['Reference', asIdentifier(number)],
       ['IsExternal', asBoolean(false)],
     ]);
     model.properties.properties(space, EVIDENCE, [

@@ -23,7 +23,8 @@ export function addStorey(
     options,
     building,
     elevation,
-  }: { storey: Storey; options: Options; building: Ref; elevation: number },
+    roomsBelow,
+  }: { storey: Storey; options: Options; building: Ref; elevation: number; roomsBelow: number },
 ): Ref {
   const place = model.shapes.place(building, [0, 0, elevation]);
   const name = `Storey ${storey.index}`;
@@ -34,7 +35,7 @@ export function addStorey(
   );
   const walls = wallParts(storey);
   const openings = openingParts(storey, walls);
-  const part: StoreyModel = { model, storey, place, walls, openings };
+  const part: StoreyModel = { model, storey, place, roomsBelow, walls, openings };
   const spaces = addSpaces(part);
   model.aggregate(ref, spaces);
   const elements = [...addWalls(part), ...addStructures(part), ...addSlabs(part, options)];

@@ -51,9 +51,13 @@ export function writeIfc({ name, plan, options }: Pick<Product, 'name' | 'plan' 
 }
 
 function addStoreys(model: IfcModel, { storeys, options }: FloorPlan, building: Ref): Ref[] {
-  return storeys.map((storey) =>
-    addStorey(model, { storey, options, building, elevation: storey.floor - storeys[0].floor }),
-  );
+  let roomsBelow = 0;
+  return storeys.map((storey) => {
+    const elevation = storey.floor - storeys[0].floor;
+    const ref = addStorey(model, { storey, options, building, elevation, roomsBelow });
+    roomsBelow += storey.rooms.length;
+    return ref;
+  });
 }
 
 function addProject({ file, guids, context }: IfcModel, name: string): Ref {

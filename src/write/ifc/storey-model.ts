@@ -11,6 +11,8 @@ export interface StoreyModel {
   readonly model: IfcModel;
   readonly storey: Storey;
   readonly place: Ref;
+  /** Rooms of the storeys before it. */
+  readonly roomsBelow: number;
   readonly walls: readonly WallPart[];
   readonly openings: readonly OpeningPart[];
 }

@@ -61,7 +61,7 @@ describe('rooms.xlsx, read by another program', () => {
   it('has every room with its measures', async () => {
     const { Rooms: rows } = await sheetsOf(house);
     expect(rows).toHaveLength(6);
-    expect(rows[0].slice(0, 4)).toEqual(['No.', 'Storey', 'Room', 'Net area (m²)']);
+    expect(rows[0].slice(0, 4)).toEqual(['No.', 'Storey', 'Room', 'Area (m²)']);
     for (const [i, line] of roomLines(house).entries()) {
       const [number, storey, name, area, around, height, volume, doors, windows, passages, sure] =
         rows[i + 1];

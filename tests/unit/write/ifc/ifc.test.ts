@@ -33,7 +33,7 @@ describe('a flat read back by web-ifc', () => {
       const name = (id: number) => ifc.line(id).Name.value as string;
       wholes.set(name(RelatingObject.value), refs(RelatedObjects).map(name));
     }
-    expect(wholes.get('Storey 0')).toEqual(['Kitchen', 'Hall']);
+    expect(wholes.get('Storey 0')).toEqual(['1', '2']);
     expect(wholes.get('Site')).toEqual(['flat']);
     expect(ifc.lines(webIfc.IFCBUILDINGSTOREY).map(({ Elevation }) => Elevation.value)).toEqual([0, 2.8]);
   });
@@ -80,7 +80,7 @@ describe('a flat read back by web-ifc', () => {
       NetPerimeter: 15.7,
     });
     expect(ifc.set(kitchen, 'Grundriss_Evidence')).toEqual({ Confidence: 0.75, UnseenOutline: 0.5 });
-    expect(ifc.set(kitchen, 'Pset_SpaceCommon')).toEqual({ Reference: 'Kitchen', IsExternal: false });
+    expect(ifc.set(kitchen, 'Pset_SpaceCommon')).toEqual({ Reference: '1', IsExternal: false });
   });
 
   test('walls have the volumes drawn, openings cut', () => {
@@ -196,21 +196,30 @@ describe('where it stands', () => {
   );
 });
 
+test('rooms are numbered through the storeys, as the schedule has them', async () => {
+  const ifc = await open({
+    storeys: [flat(['Kitchen', 'Hall']), { ...flat(['Bath', 'Attic']), index: 1, floor: 2.8 }],
+  });
+  const spaces = ifc.lines(webIfc.IFCSPACE).map(({ Name, LongName }) => `${Name.value} ${LongName.value}`);
+  expect(spaces).toEqual(['1 Kitchen', '2 Hall', '3 Bath', '4 Attic']);
+});
+
 describe('hostile plans', () => {
   test('names come back, the longest in the description', async () => {
     const long = '😀'.repeat(5000);
     const hostile = `<script>"&]]>'\\X2\\ \\ 😀𝒳 مرحبا‏ é\u2028`;
     const ifc = await open({ storeys: [flat([hostile, long])] }, hostile);
     const [first, second] = ifc.lines(webIfc.IFCSPACE);
-    expect([first.Name.value, first.LongName.value]).toEqual([hostile, hostile]);
-    expect(second.Name.value).toBe(`${'😀'.repeat(254)}…`);
+    expect([first.Name.value, first.LongName.value]).toEqual(['1', hostile]);
+    expect(second.LongName.value).toBe(`${'😀'.repeat(254)}…`);
     expect(second.Description.value).toBe(long);
     expect(ifc.lines(webIfc.IFCPROJECT)[0].Name.value).toBe(hostile);
   });
 
   test('control characters and halves of characters do no harm', async () => {
     const ifc = await open({ storeys: [flat(['a\u0000b\r\nc\u0085\u007f', 'x\ud800y'])] });
-    expect(ifc.names(webIfc.IFCSPACE)).toEqual(['a b  c  ', 'x\ufffdy']);
+    const names = ifc.lines(webIfc.IFCSPACE).map(({ LongName }) => LongName.value);
+    expect(names).toEqual(['a b  c  ', 'x\ufffdy']);
     expect(ifcOf({ storeys: [flat(['\u0000', '\ud800'])] })).toMatch(/^[\n -~]*$/);
   });
 
