@@ -1,3 +1,4 @@
+import { cutText } from './cut-text.ts';
 import { FloorPlanError } from './errors.ts';
 
 /** What a person calls the room at a place. */
@@ -63,14 +64,10 @@ function parseEntry(entry: string, number: number): RoomName {
   const [x, y, storey = 0] = fields;
   const name = tidyName(entry.slice(place.length + 1).replaceAll(';;', ';'));
   const isPlace = fields.length <= 3 && [x, y].every(Number.isFinite) && Number.isInteger(storey);
-  if (!isPlace || storey < 0 || name === '') throw badEntry(number, ROOM_NAME_WORDS, sayEntry(entry));
+  if (!isPlace || storey < 0 || name === '')
+    throw badEntry(number, ROOM_NAME_WORDS, `"${cutText(entry, TOLD)}"`);
   if (name.length <= LONGEST_ROOM_NAME) return { x, y, storey, name };
   throw badEntry(number, `a name of at most ${LONGEST_ROOM_NAME} letters`, `${name.length}`);
-}
-
-function sayEntry(entry: string): string {
-  const letters = [...entry];
-  return `"${letters.length > TOLD ? `${letters.slice(0, TOLD).join('')}…` : entry}"`;
 }
 
 function badEntry(number: number, expected: string, found: string): FloorPlanError {

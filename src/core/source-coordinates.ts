@@ -1,3 +1,4 @@
+import { cutText } from './cut-text.ts';
 import type { Circle } from './geometry/circle.ts';
 import type { Frame, FrameUnit, Vec2 } from './types.ts';
 
@@ -27,8 +28,7 @@ export function sayScale(unit: FrameUnit, metresPerUnit: number): string {
 
 /** The coordinate system as a fact of a scan: `EPSG:25832`; of WKT its name. */
 export function sayCrs(crs: string): string {
-  const name = /^\s*\w+\s*[[(]\s*"([^"]+)"/.exec(crs)?.[1] ?? crs.trim();
-  return name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME - 1)}…` : name;
+  return cutText(/^\s*\w+\s*[[(]\s*"([^"]+)"/.exec(crs)?.[1] ?? crs.trim(), LONGEST_NAME);
 }
 
 /** The way back: a place in source units and coordinates, seen from above, as plan metres. */

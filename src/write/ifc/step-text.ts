@@ -1,3 +1,5 @@
+import { cutText } from '../../core/cut-text.ts';
+
 /** What a STEP file holds as a value, ready to be written: `'text'`, `1.5`, `#7`, `(#7,#8)`. */
 export type StepValue = string;
 
@@ -41,15 +43,12 @@ export function text(value: string): StepValue {
 
 /** Text as an IfcLabel can hold it: cut where it is longer. */
 export function label(value: string): StepValue {
-  if (value.length <= LONGEST_LABEL) return text(value);
-  const characters = [...value];
-  if (characters.length <= LONGEST_LABEL) return text(value);
-  return text(`${characters.slice(0, LONGEST_LABEL - 1).join('')}…`);
+  return text(cutText(value, LONGEST_LABEL));
 }
 
 /** Text in full where {@link label} had to cut it, else omitted: for the description beside a name. */
 export function cutLabel(value: string): StepValue {
-  return value.length > LONGEST_LABEL && [...value].length > LONGEST_LABEL ? text(value) : OMITTED;
+  return cutText(value, LONGEST_LABEL) === value ? OMITTED : text(value);
 }
 
 /** A real number with all its digits; a STEP real has a point even where nothing follows it. */

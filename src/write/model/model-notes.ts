@@ -1,3 +1,4 @@
+import { cutText } from '../../core/cut-text.ts';
 import { type SourceCoordinates, sayCrs, sayUnit, sourceCoordinates } from '../../core/source-coordinates.ts';
 import type { Frame } from '../../core/types.ts';
 import { printable } from '../printable.ts';
@@ -7,8 +8,7 @@ const LONGEST = 120;
 
 /** A scan's name, or other foreign text, as one line of a comment. */
 export function oneLine(text: string): string {
-  const characters = [...printable(text)];
-  return characters.length > LONGEST ? `${characters.slice(0, LONGEST - 1).join('')}…` : characters.join('');
+  return cutText(printable(text), LONGEST);
 }
 
 /**
