@@ -5,6 +5,7 @@ import type { HeightColumns } from '../columns/height-columns.ts';
 import { wallColumns } from '../columns/wall-columns.ts';
 import { columnDirections } from './column-directions.ts';
 import { alongOf, asideOf, type Face, type FaceSite, type Line, pointOn } from './face.ts';
+import { withEnds } from './face-ends.ts';
 import { type CurvedFace, fitArc } from './fit-arc.ts';
 import { fitLine, reachOf } from './fit-line.ts';
 import { type Course, type FreeColumns, LONGEST_BREAK, takeAcross } from './free-columns.ts';
@@ -93,7 +94,8 @@ export function findFaces({ cloud, columns, ceiling }: FaceSite): FoundFaces {
   const straddling = findStraddling(found);
   for (const each of straddling) for (const c of besideOther(columns, each)) isFree[c] = 1;
   const straight = found.filter((face) => straddling.every((each) => each.face !== face));
-  return { straight: [...straight, ...areWalls(growLines(SHORTEST))], curved: [...sure, ...bent] };
+  const all = [...straight, ...areWalls(growLines(SHORTEST))];
+  return { straight: all.map((face) => withEnds(walls, face)), curved: [...sure, ...bent] };
 }
 
 /** Columns of a line that is no surface which are not those of the one it crosses. */
