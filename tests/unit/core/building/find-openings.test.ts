@@ -53,3 +53,12 @@ it('stray points just behind the face, below a sill, make no jamb of it', () => 
   const strays = [0.35, 0.4, 0.45, 0.5].map((z) => [2.6, 0.035, z]);
   expect(findOpenings(look(null, strays))).toHaveLength(1);
 });
+
+it('the outer face below a sill, seen from another wing, makes no jambs', () => {
+  const outer = Array.from({ length: 200 }, (_, s) =>
+    [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8].map((z) => [0.03 * s, 0.32, z]),
+  );
+  const [window, ...others] = findOpenings(look(null, outer.flat()));
+  expect(others).toEqual([]);
+  expect([window.from, window.to]).toEqual([expect.closeTo(2, 1), expect.closeTo(3.3, 1)]);
+});
