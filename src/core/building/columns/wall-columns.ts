@@ -3,7 +3,7 @@ import type { LocalCeiling } from './local-ceiling.ts';
 import { isClearColumn } from './seen-space.ts';
 
 /** Columns with hits in fewer of their bins are no wall … */
-const LEAST_HITS = 0.3;
+export const LEAST_HITS = 0.3;
 /** … unless so many of those below a ceiling beside them are hit. */
 const LEAST_TOP_HITS = 0.5;
 /** Distance at which a column's ceilings are looked up, m: past the wall. */

@@ -1,4 +1,5 @@
 import { columnAt } from '../columns/height-columns.ts';
+import { LEAST_HITS } from '../columns/wall-columns.ts';
 import { asideOf, type Face, pointOn } from './face.ts';
 import { reachOf } from './fit-line.ts';
 import type { FreeColumns } from './free-columns.ts';
@@ -15,15 +16,16 @@ const PAST_END = 0.2;
  */
 export function withEnds({ columns, isFree }: FreeColumns, face: Face): Face {
   if (face.noise > MOST_NOISE) return face;
-  const { centres, size } = columns;
+  const { centres, size, hits, bins } = columns;
   const past: number[] = [];
   for (const way of [1, -1]) {
     const end = way > 0 ? face.to : face.from;
     for (let off = 0; off < PAST_END; off += size / 2) {
       for (const across of [-ON_LINE, 0, ON_LINE]) {
         const c = columnAt(columns, ...pointOn(face, end + way * off, across));
-        if (c < 0 || isFree[c] === 0 || Math.abs(asideOf(face, centres[2 * c], centres[2 * c + 1])) > ON_LINE)
-          continue;
+        // What hangs below the ceiling only may be a beam.
+        if (c < 0 || isFree[c] === 0 || hits[c] < LEAST_HITS * bins) continue;
+        if (Math.abs(asideOf(face, centres[2 * c], centres[2 * c + 1])) > ON_LINE) continue;
         isFree[c] = 0;
         past.push(c);
       }

@@ -11,13 +11,19 @@ const JAMB_STEP = 2 * STEP;
 const LEAST_JAMB = 0.4;
 const ABOVE_LOOK = 0.1;
 
-/** The most heights of those that follow each other with one missing at most: stray points above and below a sill are no jamb. */
+/** A jamb reaches up to this height above the floor, m: what ends below is the wall under a sill, seen from outside, too. */
+const LEAST_TOP = 1.2;
+
+/**
+ * The most heights of those that follow each other with one missing at most, up to eye height: stray points above and below a
+ * sill are no jamb.
+ */
 function longestRun(heights: ReadonlyMap<number, number>): number {
   if (heights.size * JAMB_STEP < LEAST_JAMB) return 0;
   let [run, longest, last] = [0, 0, Number.NEGATIVE_INFINITY];
   for (const height of [...heights.keys()].sort((a, b) => a - b)) {
     run = height - last <= 2 ? run + 1 : 1;
-    longest = Math.max(longest, run);
+    if (height * JAMB_STEP >= LEAST_TOP) longest = Math.max(longest, run);
     last = height;
   }
   return longest;

@@ -1,5 +1,4 @@
 import { LOOK_FROM, LOOK_TO, type WallLook } from './wall-look.ts';
-import type { WallStrip } from './wall-strip.ts';
 
 /** A pane is flat within this, m, beside its noise, in deviations. */
 const FLATNESS = 0.02;
@@ -10,57 +9,32 @@ const FEWEST_COLUMNS = 4;
 /** … with no more empty ones between two, as few rays come back. */
 const MOST_EMPTY = 3;
 
-/** A column shows an upright surface where it has points at eye height, or in so many bits of height below, this high each, m. */
-const BITS_BELOW = 3;
-const BIT = 0.1;
-
 /**
- * Points within a wall without those of panes: upright surfaces along the wall, as of glass, blinds, shutters, or of the wall's
- * outer face below a sill, seen from another wing.
+ * Points within a wall without those of panes: upright surfaces along the wall, as of glass, blinds, shutters.
  *
  * Glass sends some rays back. Its points stand at all heights all along an opening, where they would pass for jambs.
  * O(points).
  */
 export function withoutPanes({ strip, noise }: WallLook, inside: readonly number[]): number[] {
-  const { along, deep } = strip;
+  const { along, deep, high } = strip;
   const flat = Math.max(FLATNESS, DEVIATIONS * noise);
+  // Layers overlap by half, so that one of them holds a pane whole.
   const columns = new Map<number, Set<number>>();
-  for (const [layer, met] of uprightColumns(strip, inside, flat)) columns.set(layer, inRuns(met));
+  for (const i of inside) {
+    if (high[i] < LOOK_FROM || high[i] >= LOOK_TO) continue;
+    const layer = Math.floor(deep[i] / flat);
+    for (const own of [layer - 1, layer]) {
+      const met = columns.get(own);
+      if (met) met.add(Math.floor(along[i] / COLUMN));
+      else columns.set(own, new Set([Math.floor(along[i] / COLUMN)]));
+    }
+  }
+  for (const [layer, met] of columns) columns.set(layer, inRuns(met));
   return inside.filter((i) => {
     const layer = Math.floor(deep[i] / flat);
     const column = Math.floor(along[i] / COLUMN);
     return [layer - 1, layer].every((own) => !columns.get(own)?.has(column));
   });
-}
-
-/** The columns of each layer in depth that show something upright; layers overlap by half, so that one of them holds a pane whole. */
-function uprightColumns(
-  { along, deep, high }: WallStrip,
-  inside: readonly number[],
-  flat: number,
-): Map<number, Set<number>> {
-  const upright = new Map<number, Set<number>>();
-  const heights = new Map<string, Set<number>>();
-  for (const i of inside) {
-    if (high[i] >= LOOK_TO) continue;
-    const layer = Math.floor(deep[i] / flat);
-    const column = Math.floor(along[i] / COLUMN);
-    for (const own of [layer - 1, layer]) {
-      const met = setAt(upright, own);
-      if (high[i] >= LOOK_FROM) met.add(column);
-      else if (setAt(heights, `${own} ${column}`).add(Math.floor(high[i] / BIT)).size >= BITS_BELOW)
-        met.add(column);
-    }
-  }
-  return upright;
-}
-
-function setAt<K>(sets: Map<K, Set<number>>, key: K): Set<number> {
-  const known = sets.get(key);
-  if (known) return known;
-  const made = new Set<number>();
-  sets.set(key, made);
-  return made;
 }
 
 /** The columns from the first to the last of those that are many and near each other. */
