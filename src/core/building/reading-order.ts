@@ -7,20 +7,20 @@ interface Placed {
   readonly outline: Polygon;
   readonly x: number;
   readonly y: number;
-  readonly bottom: number;
+  readonly top: number;
 }
 
 /**
  * Rooms as a plan is read that stands square on its sheet: row by row from above, each from left to right. To the row of
- * the highest room belong all whose middle is no lower than its bottom. O(rooms²).
+ * the room whose middle is highest belong all that begin above that. O(rooms²).
  */
 export function inReadingOrder(outlines: readonly Polygon[]): Polygon[] {
   const turn = turnToSquare(outlines);
   let left = outlines.map((outline) => placed(outline, turn)).sort((a, b) => b.y - a.y || a.x - b.x);
   const ordered: Polygon[] = [];
   while (left.length > 0) {
-    const { bottom } = left[0];
-    const row = left.filter(({ y }, i) => i === 0 || y >= bottom).sort((a, b) => a.x - b.x || b.y - a.y);
+    const middle = left[0].y;
+    const row = left.filter(({ top }, i) => i === 0 || top > middle).sort((a, b) => a.x - b.x || b.y - a.y);
     ordered.push(...row.map(({ outline }) => outline));
     left = left.filter((room) => !row.includes(room));
   }
@@ -30,5 +30,5 @@ export function inReadingOrder(outlines: readonly Polygon[]): Polygon[] {
 function placed(outline: Polygon, turn: number): Placed {
   const ring = mapped(outline.outer, rotationBy(turn));
   const [x, y] = centroid(ring);
-  return { outline, x, y, bottom: boundsOf(ring).minY };
+  return { outline, x, y, top: boundsOf(ring).maxY };
 }

@@ -25,3 +25,8 @@ it.each([0, 5, -12, 40])('rooms of a plan turned by %i° are read row by row, as
   const shuffled = [4, 2, 0, 5, 3, 1].map((i) => turned[i]);
   expect(inReadingOrder(shuffled)).toEqual(turned);
 });
+
+it('a deep room is of the row in which it begins', () => {
+  const plan = [room(0, 4, 5, 10), room(5.1, 8, 9, 9.99), room(5.1, 4, 9, 7.9)];
+  expect(inReadingOrder([2, 1, 0].map((i) => plan[i]))).toEqual(plan);
+});
