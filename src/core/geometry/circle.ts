@@ -72,3 +72,9 @@ export function circleRing({ cx, cy, radius }: Circle): Ring {
   }
   return ring;
 }
+
+/** Turn from one direction on to another counter-clockwise, 0 to 2π, radians. */
+export function turnOn(from: number, to: number): number {
+  const turn = to - from;
+  return turn - 2 * Math.PI * Math.floor(turn / (2 * Math.PI));
+}

@@ -1,3 +1,4 @@
+import { turnOn } from '../../geometry/circle.ts';
 import { chordTurn } from '../../geometry/ring-arcs.ts';
 import type { HeightColumns } from '../columns/height-columns.ts';
 import { type Face, pointOn } from './face.ts';
@@ -29,8 +30,7 @@ function chordsOfArc({ centres }: HeightColumns, arc: CurvedFace): Face[] {
   const turn = (to - from) / count;
   const members: number[][] = Array.from({ length: count }, () => []);
   for (const c of arc.members) {
-    const angle = Math.atan2(centres[2 * c + 1] - cy, centres[2 * c] - cx);
-    const past = (((angle - from) % (2 * Math.PI)) + 2 * Math.PI) % (2 * Math.PI);
+    const past = turnOn(from, Math.atan2(centres[2 * c + 1] - cy, centres[2 * c] - cx));
     members[Math.min(count - 1, Math.floor(past / turn))].push(c);
   }
   return members.map((own, k) => {

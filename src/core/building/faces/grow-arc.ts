@@ -1,4 +1,5 @@
-import { type Circle, circleThrough } from '../../geometry/circle.ts';
+import { type Circle, circleThrough, turnOn } from '../../geometry/circle.ts';
+import { Moments } from '../../geometry/moments.ts';
 import { connectedColumns } from '../columns/connected-columns.ts';
 import type { HeightColumns } from '../columns/height-columns.ts';
 import { turnBetween, turnFrom } from './column-directions.ts';
@@ -18,6 +19,10 @@ const LARGEST = 40;
 const LEAST_ARC = (25 * Math.PI) / 180;
 /** Share of its length that has columns. */
 const LEAST_FILLED = 0.4;
+/** Columns farther apart than this along an arc, m, are of two runs; the longest must bend by itself, not only with the others … */
+const LONGEST_GAP = 0.3;
+/** … that is, its columns lie so many times farther off any line than off the arc. */
+const BENDS = 1.5;
 const MOST_ROUNDS = 20;
 /** Fewer columns make no arc. */
 const FEWEST = 6;
@@ -45,13 +50,39 @@ export function growArc(walls: FreeColumns, seed: number, isWall: boolean): Arc 
   return arc !== null && isArc(walls.columns, arc) ? arc : null;
 }
 
-/** Whether columns follow a circle closely, far enough around for it to be no line. */
-export function isArc({ size }: HeightColumns, { from, to, radius, members }: Arc): boolean {
+/** Whether columns follow a circle closely, far enough around for it to be no line. O(members · log members). */
+export function isArc(columns: HeightColumns, arc: Arc): boolean {
+  const { size } = columns;
+  const { from, to, radius, members } = arc;
   if (radius < SMALLEST || radius > LARGEST) return false;
   const turn = to - from;
   const sagitta = radius * (1 - Math.cos(Math.min(Math.PI, turn / 2)));
   const isFilled = members.length * size >= LEAST_FILLED * turn * radius;
-  return turn >= LEAST_ARC && sagitta > 2 * BAND && isFilled;
+  return turn >= LEAST_ARC && sagitta > 2 * BAND && isFilled && bends(columns, arc);
+}
+
+/** Whether the longest run of an arc's columns is told better by it than by a line: a straight wall and what stands elsewhere is no arc. */
+function bends({ centres, hits }: HeightColumns, arc: Arc): boolean {
+  const { cx, cy, radius, from } = arc;
+  const turns = arc.members
+    .map((c) => ({ c, turn: turnOn(from, Math.atan2(centres[2 * c + 1] - cy, centres[2 * c] - cx)) }))
+    .sort((a, b) => a.turn - b.turn);
+  let [longest, begin] = [turns.slice(0, 0), 0];
+  for (let end = 1; end <= turns.length; end++) {
+    const goesOn = end < turns.length && (turns[end].turn - turns[end - 1].turn) * radius <= LONGEST_GAP;
+    if (goesOn) continue;
+    if (end - begin > longest.length) longest = turns.slice(begin, end);
+    begin = end;
+  }
+  const moments = new Moments();
+  let [squares, weight] = [0, 0];
+  for (const { c } of longest) {
+    const [dx, dy] = [centres[2 * c] - cx, centres[2 * c + 1] - cy];
+    moments.add(dx, dy, hits[c]);
+    squares += hits[c] * (Math.hypot(dx, dy) - radius) ** 2;
+    weight += hits[c];
+  }
+  return moments.spread().variance >= BENDS ** 2 * (squares / weight);
 }
 
 function circleOf({ columns }: FreeColumns, members: readonly number[], isWall: boolean): Circle | null {

@@ -1,3 +1,4 @@
+import { turnOn } from '../../geometry/circle.ts';
 import { medianOf } from '../../robust-scale.ts';
 import type { PointCloud } from '../../types.ts';
 import type { HeightColumns } from '../columns/height-columns.ts';
@@ -89,8 +90,7 @@ export function isChord({ centres, size }: HeightColumns, line: Face, arcs: read
   const isOn = (c: number, { cx, cy, radius, noise, from, to }: CurvedFace) => {
     const [dx, dy] = [centres[2 * c] - cx, centres[2 * c + 1] - cy];
     if (Math.abs(Math.hypot(dx, dy) - radius) > Math.max(BESIDE, DEVIATIONS * noise) + size / 2) return false;
-    const past = Math.atan2(dy, dx) - from;
-    return past - 2 * Math.PI * Math.floor(past / (2 * Math.PI)) <= to - from;
+    return turnOn(from, Math.atan2(dy, dx)) <= to - from;
   };
   const on = line.members.filter((c) => arcs.some((arc) => isOn(c, arc)));
   return on.length >= COVERED * line.members.length;

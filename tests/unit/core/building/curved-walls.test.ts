@@ -3,6 +3,7 @@ import { seededRandom } from '../../../../fixtures/simulator/random.ts';
 import { heightColumns } from '../../../../src/core/building/columns/height-columns.ts';
 import { localCeiling } from '../../../../src/core/building/columns/local-ceiling.ts';
 import { findFaces } from '../../../../src/core/building/faces/find-faces.ts';
+import { isArc } from '../../../../src/core/building/faces/grow-arc.ts';
 import { endedAtWalls } from '../../../../src/core/building/space/curved-walls.ts';
 import type { PointCloud } from '../../../../src/core/types.ts';
 import { UPRIGHT_FRAME } from '../made-scan.ts';
@@ -20,8 +21,8 @@ const straight =
   (x: number, y: number, length: number): Curve =>
   (share) => ({ at: [x, y + share * length], normal: 0 });
 
-/** Faces found in points from floor to ceiling over curves, with noise across them, m. */
-function facesOver(curves: readonly Curve[], noise: number) {
+/** Points from floor to ceiling over curves, with noise across them, m. */
+function columnsOver(curves: readonly Curve[], noise: number) {
   const each = 30_000;
   const random = seededRandom(11, 'curves');
   const positions = new Float32Array(3 * each * curves.length);
@@ -38,6 +39,11 @@ function facesOver(curves: readonly Curve[], noise: number) {
   const cloud: PointCloud = { ...made, positions, reasons, isFlat: false };
   const kept = Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
   const columns = heightColumns(cloud, kept, { floor: 0, ceiling: 2.5 });
+  return { cloud, columns };
+}
+
+function facesOver(curves: readonly Curve[], noise: number) {
+  const { cloud, columns } = columnsOver(curves, noise);
   return findFaces({ cloud, columns, ceiling: localCeiling(columns) });
 }
 
@@ -62,6 +68,16 @@ it('a straight wall is no arc, however far it scatters', () => {
   const { curved, straight: lines } = facesOver([straight(0, 0, 5), straight(0.3, 0, 5)], 0.02);
   expect(curved).toHaveLength(0);
   expect(lines.filter(({ from, to }) => to - from > 4.5)).toHaveLength(2);
+});
+
+it('nor is one with what stands farther along a circle', () => {
+  const isArcOver = (curves: readonly Curve[]) => {
+    const columns = columnsOver(curves, 0.012).columns;
+    const members = [...columns.hits.keys()].filter((c) => columns.hits[c] > 2);
+    return isArc(columns, { cx: 0, cy: 0, radius: 3, from: -0.25, to: 0.65, members });
+  };
+  expect(isArcOver([straight(3, -0.65, 1.3), circle(3, 0.5, 0.62)])).toBe(false);
+  expect(isArcOver([circle(3, -0.22, 0.22), circle(3, 0.5, 0.62)])).toBe(true);
 });
 
 it('a curve drawn on ends at the wall it meets', () => {
