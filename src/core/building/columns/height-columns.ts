@@ -44,6 +44,8 @@ export interface HeightColumns {
   /** Indices of the points that hang over the floor: on the storey's ceiling or a lowered one, column by column, likewise. */
   readonly overPoints: Uint32Array;
   readonly overStart: Uint32Array;
+  /** Mean place of those, x, y each; NaN where there are none. */
+  readonly overCentres: Float64Array;
 }
 
 /** Sorts a storey's points into columns. O(n). */
@@ -60,6 +62,7 @@ export function heightColumns(cloud: PointCloud, kept: Uint32Array, heights: Sto
   );
   const { overhead, isWallTop } = overheadOf({
     ...filled,
+    bins: bins.bins,
     table,
     size,
     heights,
@@ -86,6 +89,7 @@ export function heightColumns(cloud: PointCloud, kept: Uint32Array, heights: Sto
     start: between.start,
     overPoints: over.points,
     overStart: over.start,
+    overCentres: centresOf(positions, over),
   };
 }
 

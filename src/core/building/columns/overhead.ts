@@ -21,6 +21,8 @@ export interface ColumnTops {
   readonly size: number;
   readonly heights: StoreyHeights;
   readonly masks: Int32Array;
+  /** Bins from floor to ceiling. */
+  readonly bins: number;
   readonly planes: Uint8Array;
   /** Height of each column's highest points below the storey's ceiling, m; NaN where it has none. */
   readonly heightsAbove: Float32Array;
@@ -52,14 +54,20 @@ export function overheadOf(tops: ColumnTops): Overhead {
   for (let seed = 0; seed < overhead.length; seed++) {
     if (isVisited[seed] === 1) continue;
     const surface = surfaceFrom(seed, overhead, isVisited, tops.table);
-    if (surface.length * tops.size ** 2 < SMALLEST) continue;
+    const isLarge = surface.length * tops.size ** 2 >= SMALLEST;
     for (const c of surface) {
+      if (!isLarge && !isUnderCeiling(c, tops)) continue;
       if (overhead[c] > highest) isWallTop[c] = 1;
       else kept[c] = overhead[c];
     }
   }
   goOnOver(kept, tops);
   return { overhead: kept, isWallTop };
+}
+
+/** Whether the storey's own ceiling hangs free over a column: far from a scanner its points are too few to make a surface. */
+function isUnderCeiling(c: number, { planes, masks, bins }: ColumnTops): boolean {
+  return (planes[c] & 2) !== 0 && countBins(masks, c, bins - CLEAR_BINS, bins) === 0;
 }
 
 /** Lets lowered ceilings go on over columns that end at their height, whatever else is in these. */

@@ -22,8 +22,12 @@ export interface SeenSpace {
   readonly isSeen: Uint8Array;
   /** 1 for the columns that show no space themselves, but have such ones near on two opposite sides. */
   readonly isBetween: Uint8Array;
-  /** Whether the ceiling hangs free over a place, or where a storey has none the floor was seen there. */
-  at(x: number, y: number): boolean;
+  /**
+   * Whether the ceiling hangs free over a place, or where a storey has none the floor was seen there.
+   *
+   * @param reach how far from it, m, the ceiling's points in its column may lie in the mean: a column reaches past a thin wall
+   */
+  at(x: number, y: number, reach?: number): boolean;
   /** Whether a floor, a ceiling or the top of a table was seen at a place where nothing stands higher. */
   isOpen(x: number, y: number): boolean;
 }
@@ -35,7 +39,7 @@ export interface SeenSpace {
  * neighbours are clear (.698 → .689: strips before walls are called solid).
  */
 export function seenSpace(columns: HeightColumns): SeenSpace {
-  const { table, count, planes, overhead } = columns;
+  const { table, count, planes, overhead, overCentres } = columns;
   const isSeen = new Uint8Array(count);
   const isClear = (c: number) => c < 0 || isClearColumn(columns, c);
   const isBare = new Uint8Array(count);
@@ -58,9 +62,11 @@ export function seenSpace(columns: HeightColumns): SeenSpace {
   return {
     isSeen,
     isBetween: betweenSeen(columns, isSeen, isBare),
-    at(x, y) {
+    at(x, y, reach = Infinity) {
       const c = clearAt(x, y);
-      return c >= 0 && (hasCeiling ? !Number.isNaN(overhead[c]) : planes[c] !== 0);
+      if (c < 0 || !hasCeiling) return c >= 0 && planes[c] !== 0;
+      const way = Math.hypot(overCentres[2 * c] - x, overCentres[2 * c + 1] - y);
+      return !Number.isNaN(overhead[c]) && !(way > reach);
     },
     isOpen(x, y) {
       const c = clearAt(x, y);

@@ -17,7 +17,7 @@ const LONGEST_RIM = 0.25;
 const PAST_RIM = [0.15, 0.3, 0.45];
 
 /** Places along a gap are so far apart, m. */
-const PLACE = 0.1;
+const PLACE = 0.05;
 /** Inside a wall is so near its line, m, on one side of it … */
 const INSIDE = 0.05;
 /** … and its rooms this far off, whatever cupboards stand there. */
@@ -31,6 +31,8 @@ const PASSING = [0.6, 0.9, 1.2, 1.5];
 /** A line that was seen no nearer than this, m, tells a wall's thickness if none is known that was seen over so much more. */
 const FAR_OFF = 2;
 const MUCH_MORE = 2;
+/** What was seen no farther from the middle between two faces than this share of the way between them is between them. */
+const BETWEEN = 0.25;
 /** So near behind the other face, m, a room begins and no other face stands … */
 const JUST_BEYOND = 0.1;
 /** … if the ceiling hangs over so much of it. */
@@ -167,9 +169,8 @@ function backedStretches({ faces, supports, known, i, others, side }: Backing): 
 function hidesAWall(face: Face, stretch: readonly BackedBit[], seen: SeenSpace): boolean {
   let [open, beyond] = [0, 0];
   for (const { along, aside } of stretch) {
-    const at = (across: number) => seen.at(...pointOn(face, along, across));
-    if (at(aside / 2)) open++;
-    if (at(aside + Math.sign(aside) * JUST_BEYOND)) beyond++;
+    if (seen.at(...pointOn(face, along, aside / 2), BETWEEN * Math.abs(aside))) open++;
+    if (seen.at(...pointOn(face, along, aside + Math.sign(aside) * JUST_BEYOND))) beyond++;
   }
   return open <= OPEN_SHARE * stretch.length && beyond >= ROOM_SHARE * stretch.length;
 }
@@ -223,8 +224,10 @@ function standsFree(
   const face = line.faces[line.i];
   const openAt = (along: number) =>
     [-BESIDE_COLUMN, 0, BESIDE_COLUMN].map((across) => seen.at(...pointOn(face, along, across)));
-  const isFree = [from - PAST_COLUMN, to + PAST_COLUMN].every((at) => !openAt(at).includes(false));
-  if (to - from <= WIDEST_COLUMN && isFree) return true;
+  const isFreePast = (end: number, past: number) =>
+    !openAt(end + past).includes(false) && !meetsWall(line, end, past);
+  if (to - from <= WIDEST_COLUMN && isFreePast(from, -PAST_COLUMN) && isFreePast(to, PAST_COLUMN))
+    return true;
   const isRimPast = (end: number, way: number) => {
     const past = PAST_RIM.find((off) => {
       const [left, on, right] = openAt(end + way * off);

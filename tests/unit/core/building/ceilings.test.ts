@@ -92,6 +92,14 @@ describe('what hangs over a column', () => {
     expect(own.overhead[columnAt(own, 1.5, 1.15)]).toBeNaN();
   });
 
+  it('is that of the storey where hardly any of it was seen', () => {
+    const far = new Scan().level(0, [0, 0, 4, 4]).level(3, [0, 0, 2, 4]);
+    for (let x = 2.1; x < 4; x += 0.2)
+      for (let y = 0.1; y < 4; y += 0.2) far.level(3, [x, y, x + 0.03, y + 0.03]);
+    const own = columnsOf(far.cloud(), heights);
+    expect(own.overhead[columnAt(own, 3.12, 2.12)]).toBe(3);
+  });
+
   it('is a lowered ceiling over what stands under that, but not over what ends elsewhere', () => {
     const low = new Scan()
       .level(0, [0, 0, 4, 4])
@@ -217,6 +225,14 @@ describe('seen space', () => {
     expect(seen.isOpen(2, 1)).toBe(true);
     expect(seen.isOpen(2, 2)).toBe(false);
   });
+});
+
+it('space beside a thin wall is not in it, though a column reaches that far', () => {
+  const rooms = new Scan().level(2.6, [0, 0, 4, 1.96]).level(2.6, [0, 2.028, 4, 4]).level(0, [0, 0, 4, 4]);
+  const seen = seenSpace(columnsOf(rooms.cloud(), { floor: 0, ceiling: 2.6 }));
+  expect(seen.at(2, 2.02)).toBe(true);
+  expect(seen.at(2, 2.02, 0.02)).toBe(false);
+  expect(seen.at(2.02, 2.07, 0.03)).toBe(true);
 });
 
 describe('the level top of furniture', () => {

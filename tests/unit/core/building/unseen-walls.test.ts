@@ -136,13 +136,21 @@ describe('a column in line with a wall', () => {
   const long = wall('y', 4, 1, 4);
 
   /** Whether a wall is taken to go on from x = 4 to something that stands from x = 5 on. */
-  function isJoined(to: number, isOpen: SeenSpace['isOpen']): boolean {
+  function isJoined(
+    to: number,
+    isOpen: SeenSpace['isOpen'],
+    others: ReturnType<typeof wall>[] = [],
+  ): boolean {
     const short = wall('y', 4, 5, to);
     const face = { ...long.face, from: short.face.from };
     const shares = long.own.shares.map((share, k) => Math.max(share, short.own.shares[k]));
     const none = new Uint8Array(0);
     const seen: SeenSpace = { isSeen: none, isBetween: none, at: isOpen, isOpen };
-    const [support] = takenSupport([face], [{ ...long.own, shares }], seen);
+    const [support] = takenSupport(
+      [face, ...others.map((other) => other.face)],
+      [{ ...long.own, shares }, ...others.map(({ own }) => own)],
+      seen,
+    );
     return support.shares[Math.floor((-4.5 - support.from) / STEP)] >= WALL_SHARE;
   }
 
@@ -163,6 +171,7 @@ describe('a column in line with a wall', () => {
   it('is the end of the wall where it goes on, or nothing shows that it does not', () => {
     expect(isJoined(6, around(6))).toBe(true);
     expect(isJoined(5.4, (x, y) => around(5.4)(x, y) && x < 5.5)).toBe(true);
+    expect(isJoined(5.4, around(5.4), [wall('x', 5.45, 1, 7)])).toBe(true);
   });
 });
 
