@@ -38,7 +38,7 @@ import { pairFaces, sharedFaces, USUAL_THICKNESS } from './walls/pair-faces.ts';
 import { primaryOutline } from './walls/primary-outline.ts';
 import { edgesOf, type RoomEdge } from './walls/room-edges.ts';
 import { roomHeights } from './walls/room-heights.ts';
-import { unseenStretches } from './walls/unseen-stretches.ts';
+import { CEILING_LOOK, unseenStretches } from './walls/unseen-stretches.ts';
 
 /** Half thickness of a face, m, or so many deviations of its points. */
 const FACE_BAND = 0.03;
@@ -103,7 +103,7 @@ export function planStorey(
         holes.map((hole) => placeOpening(hole, stretch, pairs[i].thickness / 2)),
       ),
       ...shared.flatMap(({ stretch, found: holes }) =>
-        holes.map((hole) => placeOpening(hole, stretch, (hole.reveal || 0) / 2)),
+        holes.map((hole) => placeOpening(hole, stretch, Math.min(hole.reveal || 0, USUAL_THICKNESS) / 2)),
       ),
     ]),
     outer,
@@ -115,11 +115,16 @@ export function planStorey(
 
 function unseenOf(site: LookSite, edge: RoomEdge, looks: readonly LookedInto[]): Gap[] {
   const band = Math.max(FACE_BAND, FACE_DEVIATIONS * site.noise);
+  const { cloud, columns } = site;
   const stretch = stretchAt(edge, 0, edge.length, band);
-  const strip = wallStrip(site.cloud, site.columns, stretch);
+  const [x, y] = [stretch.x - CEILING_LOOK * stretch.uy, stretch.y + CEILING_LOOK * stretch.ux];
+  const above = { ...columns, points: columns.overPoints, start: columns.overStart };
   return unseenStretches(
     edge,
-    strip,
+    {
+      face: wallStrip(cloud, columns, stretch),
+      ceiling: wallStrip(cloud, above, { ...stretch, x, y, depth: CEILING_LOOK + band }),
+    },
     band,
     looks.flatMap((look) => holesAlong(edge, look)),
   );

@@ -1,7 +1,15 @@
 import { expect, it } from 'vitest';
-import { unseenStretches } from '../../../../src/core/building/walls/unseen-stretches.ts';
+import { CEILING_LOOK, unseenStretches } from '../../../../src/core/building/walls/unseen-stretches.ts';
 
 const EDGE = { owner: 0, ax: 1, ay: 2, bx: 6, by: 2, length: 5, ux: 1, uy: 0 };
+
+/** Points of a strip. */
+function stripOf(along: number[], deep: number[], high: number[]) {
+  const [a, d, h] = [along, deep, high].map((values) => Float64Array.from(values));
+  return { count: along.length, along: a, deep: d, high: h };
+}
+
+const NOTHING = stripOf([], [], []);
 
 /** Points of a wall every 2 cm along and 10 cm up, but for a stretch. */
 function wallWithout(from: number, to: number) {
@@ -13,11 +21,29 @@ function wallWithout(from: number, to: number) {
       high.push(z);
     }
   }
-  const count = along.length;
   return {
-    ...{ count, along: Float64Array.from(along), high: Float64Array.from(high) },
-    deep: new Float64Array(count),
+    face: stripOf(
+      along,
+      along.map(() => 0),
+      high,
+    ),
+    ceiling: NOTHING,
   };
+}
+
+/** Points of a ceiling every 4 cm up to a wall, and of rows of the wall just below it. */
+function ceilingBefore(rows: number) {
+  const [along, deep, high]: number[][] = [[], [], []];
+  const add = (x: number, y: number, z: number) => {
+    along.push(x);
+    deep.push(y);
+    high.push(z);
+  };
+  for (let x = 0.02; x < EDGE.length; x += 0.04) {
+    for (let before = 0.02; before < CEILING_LOOK; before += 0.04) add(x, CEILING_LOOK - before, 2.5);
+    for (let row = 0; row < rows; row++) add(x, CEILING_LOOK, 2.48 - 0.04 * row);
+  }
+  return stripOf(along, deep, high);
 }
 
 it.each([0, 0.02, 0.05, 0.07])('a stretch without points is told wherever it begins: %d m on', (shift) => {
@@ -42,4 +68,10 @@ it('a wall of which nothing was seen is told from end to end', () => {
     [1, 2],
     [6, 2],
   ]);
+});
+
+it('nor what was seen just below the ceiling, above a cupboard; the ceiling alone shows no wall', () => {
+  const { face } = wallWithout(2, 4);
+  expect(unseenStretches(EDGE, { face, ceiling: ceilingBefore(2) }, 0.03, [])).toEqual([]);
+  expect(unseenStretches(EDGE, { face, ceiling: ceilingBefore(0) }, 0.03, [])).toHaveLength(1);
 });
