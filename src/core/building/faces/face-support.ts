@@ -34,6 +34,13 @@ export interface FaceSupport {
   readonly ceiling: Float64Array;
 }
 
+/** One of the faces of a storey, and how each stands. */
+export interface FaceAmong {
+  readonly faces: readonly Face[];
+  readonly own: readonly FaceSupport[];
+  readonly i: number;
+}
+
 /**
  * Reads a face's own columns, `reach` beyond its ends. O(columns of the face).
  *
@@ -85,4 +92,9 @@ function standingShare(columns: HeightColumns, masks: Int32Array, k: number, cei
     topShare(columns, masks, k, ceiling, TOP_BAND),
     BODY_SHARE * (countBins(masks, k, 0, bins) / bins),
   );
+}
+
+/** Whether a wall stands at a place along a face, m. */
+export function wallAt({ from, step, shares }: FaceSupport, along: number): boolean {
+  return (shares[Math.floor((along - from) / step)] ?? 0) >= WALL_SHARE;
 }
