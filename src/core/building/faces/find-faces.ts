@@ -6,6 +6,7 @@ import { wallColumns } from '../columns/wall-columns.ts';
 import { columnDirections } from './column-directions.ts';
 import { alongOf, asideOf, type Face, type FaceSite, type Line, pointOn } from './face.ts';
 import { withEnds } from './face-ends.ts';
+import { withStubs } from './face-stubs.ts';
 import { type CurvedFace, fitArc } from './fit-arc.ts';
 import { fitLine, reachOf } from './fit-line.ts';
 import { type Course, type FreeColumns, LONGEST_BREAK, takeAcross } from './free-columns.ts';
@@ -71,7 +72,7 @@ export function findFaces({ cloud, columns, ceiling }: FaceSite): FoundFaces {
     }
     return grown;
   };
-  const longest = growLines(SURELY_STRAIGHT);
+  const longest = growLines(SURELY_STRAIGHT).map((face) => withStubs(walls, face));
   const usual = usualNoise(longest);
   const mostArcNoise = Math.min(MOST_ARC_NOISE, Math.max(LEAST_ARC_NOISE, ARC_NOISE_RATIO * usual));
   const growArcs = (grow: (seed: number) => CurvedFace | null) => {

@@ -1,16 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { columnAt, heightColumns } from '../../../../src/core/building/columns/height-columns.ts';
+import { columnAt } from '../../../../src/core/building/columns/height-columns.ts';
 import type { Face } from '../../../../src/core/building/faces/face.ts';
 import { withEnds } from '../../../../src/core/building/faces/face-ends.ts';
-import { makeCloud } from '../made-scan.ts';
-
-/** Upright rows of points at places x, y; m. */
-function columnsAt(places: readonly (readonly [number, number])[]) {
-  const xyz = places.flatMap(([x, y]) => Array.from({ length: 50 }, (_, k) => [x, y, 0.1 + 0.05 * k]).flat());
-  const cloud = makeCloud(xyz);
-  const kept = Uint32Array.from({ length: cloud.positions.length / 3 }, (_, i) => i);
-  return heightColumns(cloud, kept, { floor: 0, ceiling: 2.7 });
-}
+import { allFree, columnsAt } from './upright-columns.ts';
 
 describe('past the end of a face', () => {
   const wall = Array.from({ length: 20 }, (_, k) => [0.07 + 0.1 * k, 0.01] as const);
@@ -21,11 +13,7 @@ describe('past the end of a face', () => {
     ...{ nx: 0, ny: 1, offset: 0.01, from: -2, to: 0, noise, support: 1000 },
     members: wall.map(([x, y]) => columnAt(columns, x, y)),
   });
-  const free = () => ({
-    columns,
-    angle: new Float64Array(columns.count).fill(Number.NaN),
-    isFree: new Uint8Array(columns.count).fill(1),
-  });
+  const free = () => allFree(columns);
 
   it('columns on its line join it, whatever line they make with others', () => {
     const walls = free();
