@@ -11,6 +11,8 @@ const CLEAR_BINS = 3;
 const LEAST_DROP = 0.15;
 /** Hanging surfaces smaller than this are door heads, beams and what stands seen from below, m². */
 const SMALLEST = 1.5;
+/** A point of the ceiling farther than this from such a surface, m, was seen where few are; nearer it is in a wall. */
+const BESIDE_SURFACE = 0.2;
 /** Neighbouring columns are of one surface up to this step, m. */
 const LEVEL_STEP = 0.1;
 
@@ -50,24 +52,42 @@ export function overheadOf(tops: ColumnTops): Overhead {
   // Without a ceiling, what lies level there are walls.
   const highest = tops.heights.isOpenAbove ? tops.heights.ceiling - LEAST_DROP : Infinity;
   const kept = new Float32Array(overhead.length).fill(Number.NaN);
+  const small: number[][] = [];
   const isVisited = Uint8Array.from(overhead, (z) => (Number.isNaN(z) ? 1 : 0));
   for (let seed = 0; seed < overhead.length; seed++) {
     if (isVisited[seed] === 1) continue;
     const surface = surfaceFrom(seed, overhead, isVisited, tops.table);
-    const isLarge = surface.length * tops.size ** 2 >= SMALLEST;
+    if (surface.length * tops.size ** 2 < SMALLEST) {
+      small.push(surface);
+      continue;
+    }
     for (const c of surface) {
-      if (!isLarge && !isUnderCeiling(c, tops)) continue;
       if (overhead[c] > highest) isWallTop[c] = 1;
       else kept[c] = overhead[c];
     }
   }
+  const sparse = small.flat().filter((c) => isUnderCeiling(c, tops) && !isNear(c, kept, tops));
+  for (const c of sparse) kept[c] = overhead[c];
   goOnOver(kept, tops);
   return { overhead: kept, isWallTop };
 }
 
-/** Whether the storey's own ceiling hangs free over a column: far from a scanner its points are too few to make a surface. */
+/** Whether a point of the storey's own ceiling hangs free over a column: far from a scanner they are too few to make a surface. */
 function isUnderCeiling(c: number, { planes, masks, bins }: ColumnTops): boolean {
   return (planes[c] & 2) !== 0 && countBins(masks, c, bins - CLEAR_BINS, bins) === 0;
+}
+
+/** Whether a surface hangs near a column: one that goes on there would have joined it, so what is seen there is in a wall. */
+function isNear(c: number, overhead: Float32Array, { table, size }: ColumnTops): boolean {
+  const reach = Math.round(BESIDE_SURFACE / size);
+  const [ix, iy] = table.coordinatesOf(c);
+  for (let dy = -reach; dy <= reach; dy++) {
+    for (let dx = -reach; dx <= reach; dx++) {
+      const other = table.find(ix + dx, iy + dy, 0);
+      if (other >= 0 && !Number.isNaN(overhead[other])) return true;
+    }
+  }
+  return false;
 }
 
 /** Lets lowered ceilings go on over columns that end at their height, whatever else is in these. */

@@ -100,6 +100,13 @@ describe('what hangs over a column', () => {
     expect(own.overhead[columnAt(own, 3.12, 2.12)]).toBe(3);
   });
 
+  it('is none just beside a surface that ends there: a stray point in a wall', () => {
+    const room = new Scan().level(0, [0, 0, 4, 4]).level(3, [0, 0, 2, 4]).level(3, [2.1, 2, 2.13, 2.03]);
+    const own = columnsOf(room.cloud(), heights);
+    expect(own.overhead[columnAt(own, 1.9, 2.02)]).toBe(3);
+    expect(own.overhead[columnAt(own, 2.12, 2.02)]).toBeNaN();
+  });
+
   it('is a lowered ceiling over what stands under that, but not over what ends elsewhere', () => {
     const low = new Scan()
       .level(0, [0, 0, 4, 4])
