@@ -8,3 +8,11 @@ export function cutText(text: string, longest: number): string {
   }
   return text;
 }
+
+/** Of a wrong value so many characters are told. */
+const QUOTED = 60;
+
+/** Text as a message tells what it found: in quotes, cut where it is longer. */
+export function quoteText(text: string, longest = QUOTED): string {
+  return `"${cutText(text, longest)}"`;
+}

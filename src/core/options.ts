@@ -1,6 +1,6 @@
 import { parseClasses } from './classes.ts';
 import { CROP_WORDS, parseCrop } from './crop-box.ts';
-import { cutText } from './cut-text.ts';
+import { quoteText } from './cut-text.ts';
 import { formatDoors, parseDoors } from './doors.ts';
 import { FloorPlanError } from './errors.ts';
 import { type AutoNumberRow, defaultWords, type NumberRow, type ParamRow } from './param-rows.ts';
@@ -116,9 +116,6 @@ function powerOf({ unit }: NumberRow | AutoNumberRow): 0 | 1 | 2 {
   return unit === 'm' ? 1 : unit === 'm²' ? 2 : 0;
 }
 
-/** Of a wrong value so many letters are told. */
-const TOLD = 60;
-
 /** @param found what the person gave, for the message */
 function checkValue(name: ParamName, value: unknown, found: unknown): void {
   const row: ParamRow = PARAMS[name];
@@ -128,14 +125,10 @@ function checkValue(name: ParamName, value: unknown, found: unknown): void {
   const expected = expectation(row, value);
   if (expected === null) return;
   const words = Array.isArray(found) ? found.join(',') : String(found);
-  throw new FloorPlanError(
-    'option/invalid',
-    `${name}: expected ${expected}, found "${cutText(words, TOLD)}"`,
-    {
-      hint: `The default is ${defaultWords(row)}.`,
-      detail: { option: name },
-    },
-  );
+  throw new FloorPlanError('option/invalid', `${name}: expected ${expected}, found ${quoteText(words)}`, {
+    hint: `The default is ${defaultWords(row)}.`,
+    detail: { option: name },
+  });
 }
 
 /** The paper's sizes are pixels: `pixelsPerMetre` may make them larger or smaller than any a person may give. */

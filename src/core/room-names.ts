@@ -1,4 +1,4 @@
-import { cutText } from './cut-text.ts';
+import { quoteText } from './cut-text.ts';
 import { FloorPlanError } from './errors.ts';
 
 /** What a person calls the room at a place. */
@@ -16,8 +16,6 @@ export const LONGEST_ROOM_NAME = 200;
 /** What {@link parseRoomNames} reads, in words. */
 export const ROOM_NAME_WORDS = 'x,y[,storey]=Name';
 
-/** Of a wrong entry so many letters are told. */
-const TOLD = 60;
 /** Entries end at a semicolon that is not doubled. */
 const ENTRY = /((?:;;|[^;])*)(;|$)/g;
 /** Line ends and tabs, which no line of a drawing or a table holds. */
@@ -64,8 +62,7 @@ function parseEntry(entry: string, number: number): RoomName {
   const [x, y, storey = 0] = fields;
   const name = tidyName(entry.slice(place.length + 1).replaceAll(';;', ';'));
   const isPlace = fields.length <= 3 && [x, y].every(Number.isFinite) && Number.isInteger(storey);
-  if (!isPlace || storey < 0 || name === '')
-    throw badEntry(number, ROOM_NAME_WORDS, `"${cutText(entry, TOLD)}"`);
+  if (!isPlace || storey < 0 || name === '') throw badEntry(number, ROOM_NAME_WORDS, quoteText(entry));
   if (name.length <= LONGEST_ROOM_NAME) return { x, y, storey, name };
   throw badEntry(number, `a name of at most ${LONGEST_ROOM_NAME} letters`, `${name.length}`);
 }

@@ -1,4 +1,4 @@
-import { cutText } from '../../core/cut-text.ts';
+import { quoteText } from '../../core/cut-text.ts';
 import { FloorPlanError } from '../../core/errors.ts';
 import { resolveOptions } from '../../core/options.ts';
 import type { Options } from '../../core/params.ts';
@@ -178,7 +178,7 @@ function asList(value: Json | undefined, place: string, least: number, most = In
 function quoted(value: Json | undefined): string {
   if (value === undefined) return 'nothing';
   if (typeof value === 'object' && value !== null) return Array.isArray(value) ? 'a list' : 'an object';
-  return typeof value === 'string' ? `"${cutText(value, QUOTED)}"` : String(value);
+  return typeof value === 'string' ? quoteText(value, QUOTED) : String(value);
 }
 
 function malformed(place: string, expected: string, found: string | number, choices = ''): FloorPlanError {

@@ -23,3 +23,27 @@ export function connectedColumns(
   }
   return found;
 }
+
+/**
+ * The level surfaces that columns make with their neighbours, where heights differ by no more than `step` from one to the
+ * next; columns without a height, NaN, are of none. O(columns).
+ */
+export function levelSurfaces(
+  columns: Pick<HeightColumns, 'table'>,
+  heights: Float32Array,
+  step: number,
+): number[][] {
+  const isVisited = Uint8Array.from(heights, (height) => (Number.isNaN(height) ? 1 : 0));
+  const surfaces: number[][] = [];
+  for (let seed = 0; seed < heights.length; seed++) {
+    if (isVisited[seed] === 1) continue;
+    isVisited[seed] = 1;
+    const surface = connectedColumns(columns, seed, 1, (c, from) => {
+      if (isVisited[c] === 1 || Math.abs(heights[c] - heights[from]) > step) return false;
+      isVisited[c] = 1;
+      return true;
+    });
+    surfaces.push(surface);
+  }
+  return surfaces;
+}

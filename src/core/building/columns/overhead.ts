@@ -1,7 +1,7 @@
 import type { CellTable } from '../../cell-table.ts';
 import type { StoreyHeights } from '../find-storeys.ts';
 import { countBins, highestBin } from './bin-masks.ts';
-import { connectedColumns } from './connected-columns.ts';
+import { connectedColumns, levelSurfaces } from './connected-columns.ts';
 
 /** Lowest ceiling above the floor, m: under a lowered one, a stair or a slope. */
 const LEAST_OVERHEAD = 2;
@@ -53,10 +53,7 @@ export function overheadOf(tops: ColumnTops): Overhead {
   const highest = tops.heights.isOpenAbove ? tops.heights.ceiling - LEAST_DROP : Infinity;
   const kept = new Float32Array(overhead.length).fill(Number.NaN);
   const small: number[][] = [];
-  const isVisited = Uint8Array.from(overhead, (z) => (Number.isNaN(z) ? 1 : 0));
-  for (let seed = 0; seed < overhead.length; seed++) {
-    if (isVisited[seed] === 1) continue;
-    const surface = surfaceFrom(seed, overhead, isVisited, tops.table);
+  for (const surface of levelSurfaces(tops, overhead, LEVEL_STEP)) {
     if (surface.length * tops.size ** 2 < SMALLEST) {
       small.push(surface);
       continue;
@@ -110,20 +107,5 @@ function candidates({ heights, masks, planes, heightsAbove }: ColumnTops): Float
     const lowest = highestBin(masks, c) - 1;
     const isClear = countBins(masks, c, lowest - CLEAR_BINS, lowest) === 0;
     return heightsAbove[c] >= floor + LEAST_OVERHEAD && isClear ? heightsAbove[c] : Number.NaN;
-  });
-}
-
-/** The columns that one surface hangs over. */
-function surfaceFrom(
-  seed: number,
-  overhead: Float32Array,
-  isVisited: Uint8Array,
-  table: CellTable,
-): number[] {
-  isVisited[seed] = 1;
-  return connectedColumns({ table }, seed, 1, (c, from) => {
-    if (isVisited[c] === 1 || Math.abs(overhead[c] - overhead[from]) > LEVEL_STEP) return false;
-    isVisited[c] = 1;
-    return true;
   });
 }

@@ -1,15 +1,13 @@
-import { columnAt, type HeightColumns } from '../columns/height-columns.ts';
-import { LEAST_HITS } from '../columns/wall-columns.ts';
-import { asideOf, type Face, pointOn } from './face.ts';
-import { reachOf } from './fit-line.ts';
+import type { HeightColumns } from '../columns/height-columns.ts';
+import { freeOnLine, highColumnAt, ON_LINE, withMembers } from './columns-on-line.ts';
+import type { Face } from './face.ts';
 import type { FreeColumns } from './free-columns.ts';
 
 /** So far past the end of a long face, m, stubs of it are looked for: past a passage … */
 const PAST_PASSAGE = 3;
 /** … that are so long, m … */
 const SHORTEST = 0.15;
-/** … whose columns lie so near its line, m, or deviations of its points, and no farther apart than so many columns … */
-const ON_LINE = 0.015;
+/** … whose columns lie on its line, or so many deviations of its points off it, and no farther apart than so many columns … */
 const NOISES = 1;
 const APART = 1.5;
 /** … and that end at a wall which stands so far off the line, m, on both of its sides: a column does not. */
@@ -22,16 +20,16 @@ const AROUND_END = [-2, -1, 0, 1, 2];
  * run from one face to the other. Takes them. O(columns of the line drawn on).
  */
 export function withStubs(walls: FreeColumns, face: Face): Face {
-  const { columns, isFree } = walls;
-  const stubs = [1, -1].flatMap((way) => stubsPast(walls, face, way));
-  if (stubs.length === 0) return face;
-  for (const c of stubs) isFree[c] = 0;
-  const members = [...face.members, ...stubs];
-  return { ...face, members, ...reachOf(columns, members, face) };
+  return withMembers(
+    walls,
+    face,
+    [1, -1].flatMap((way) => stubsPast(walls, face, way)),
+  );
 }
 
-function stubsPast({ columns, isFree }: FreeColumns, face: Face, way: number): number[] {
-  const { centres, size } = columns;
+function stubsPast(walls: FreeColumns, face: Face, way: number): number[] {
+  const { columns } = walls;
+  const { size } = columns;
   const end = way > 0 ? face.to : face.from;
   const onLine = Math.max(ON_LINE, NOISES * face.noise);
   const stubs: number[] = [];
@@ -43,10 +41,8 @@ function stubsPast({ columns, isFree }: FreeColumns, face: Face, way: number): n
     run = [];
   };
   for (let off = size; off < PAST_PASSAGE; off += size / 2) {
-    for (const across of [-onLine, 0, onLine]) {
-      const c = wallColumnAt(columns, face, end + way * off, across);
-      if (c < 0 || isFree[c] === 0 || run.includes(c)) continue;
-      if (Math.abs(asideOf(face, centres[2 * c], centres[2 * c + 1])) > onLine) continue;
+    for (const c of freeOnLine(walls, face, end + way * off, onLine)) {
+      if (run.includes(c)) continue;
       if (run.length === 0) first = off;
       run.push(c);
       last = off;
@@ -60,13 +56,7 @@ function stubsPast({ columns, isFree }: FreeColumns, face: Face, way: number): n
 function isCrossedAt(columns: HeightColumns, face: Face, along: number): boolean {
   return [1, -1].every((side) =>
     CROSSING.some((off) =>
-      AROUND_END.some((k) => wallColumnAt(columns, face, along + k * columns.size, side * off) >= 0),
+      AROUND_END.some((k) => highColumnAt(columns, face, along + k * columns.size, side * off) >= 0),
     ),
   );
-}
-
-/** The column at a place along a face and off it, m, if more than furniture or a beam is in it; else −1. */
-function wallColumnAt(columns: HeightColumns, face: Face, along: number, across: number): number {
-  const c = columnAt(columns, ...pointOn(face, along, across));
-  return c >= 0 && columns.hits[c] >= LEAST_HITS * columns.bins ? c : -1;
 }

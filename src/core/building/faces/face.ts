@@ -59,6 +59,11 @@ export function endsOf(line: Line, reach = 0): readonly [Place, Place] {
   return [pointOn(line, line.from - reach), pointOn(line, line.to + reach)];
 }
 
+/** How far from a place on a line a parallel one runs, m, whichever way that is turned: with the line's normal where `side` is 1, against it where −1. */
+export function behindOf(line: Straight, other: Straight, side: number, [x, y]: Place): number {
+  return -side * asideOf(other, x, y) * Math.sign(line.nx * other.nx + line.ny * other.ny);
+}
+
 export function isParallel(a: Straight, b: Straight): boolean {
   return Math.abs(a.nx * b.nx + a.ny * b.ny) >= SAME_DIRECTION;
 }

@@ -2,7 +2,7 @@ import { weightedMedian } from '../../robust-scale.ts';
 import type { Polygon } from '../../types.ts';
 import { isSharp } from '../faces/ceiling-across.ts';
 import { ceilingBehind } from '../faces/ceiling-behind.ts';
-import { alongOf, asideOf, endsOf, isParallel, pointOn } from '../faces/face.ts';
+import { alongOf, behindOf, endsOf, isParallel, pointOn } from '../faces/face.ts';
 import { type FaceSupport, STEP, TAKEN_SHARE, WALL_SHARE } from '../faces/face-support.ts';
 import { pairFaces, USUAL_THICKNESS } from '../walls/pair-faces.ts';
 import { edgesOf } from '../walls/room-edges.ts';
@@ -85,8 +85,7 @@ function otherFace(
   let [best, least] = [null as WallFace | null, MOST_APART];
   for (const other of faces) {
     if (other === face || other.arc || !isParallel(face, other)) continue;
-    const turn = Math.sign(face.nx * other.nx + face.ny * other.ny);
-    const aside = -side * turn * asideOf(other, ...pointOn(face, (from + to) / 2));
+    const aside = behindOf(face, other, side, pointOn(face, (from + to) / 2));
     if (aside < THINNEST_WALL || aside > thickest) continue;
     const [low, high] = endsOf(other)
       .map((end) => alongOf(face, ...end))

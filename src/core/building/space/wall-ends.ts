@@ -1,6 +1,6 @@
 import type { SeenSpace } from '../columns/seen-space.ts';
-import { alongOf, asideOf, isParallel, pointOn } from '../faces/face.ts';
-import { type FaceSupport, WALL_SHARE } from '../faces/face-support.ts';
+import { alongOf, asideOf, behindOf, isParallel, pointOn } from '../faces/face.ts';
+import { type FaceSupport, WALL_SHARE, wallAt } from '../faces/face-support.ts';
 import { type BlindSite, blindSide } from './blind-side.ts';
 import { NO_LINE, RETURN_LINE, type Segment } from './cut-segments.ts';
 import type { WallFace, WallFaces } from './found-rooms.ts';
@@ -156,22 +156,15 @@ function strokesFrom(end: WallEnd, { faces, supports }: WallFaces, side: number,
 /** How far beside an end another face's line runs on one side, m; null where it does not, or too far off. */
 function asideTo({ face, along }: WallEnd, other: WallFace, side: number): number | null {
   if (other === face || !isParallel(face, other)) return null;
-  const [x, y] = pointOn(face, along);
-  const aside = -side * asideOf(other, x, y) * Math.sign(face.nx * other.nx + face.ny * other.ny);
-  const there = alongOf(other, x, y);
+  const place = pointOn(face, along);
+  const aside = behindOf(face, other, side, place);
+  const there = alongOf(other, ...place);
   const isBeside = there > other.from - other.reach && there < other.to + other.reach;
   return isBeside && aside > THINNEST && aside <= THICKEST ? aside : null;
 }
 
 /** Whether another face was seen to stand past the end of one that was seen. */
-function standsPast(
-  { face, along, way }: WallEnd,
-  other: WallFace,
-  { from, step, shares }: FaceSupport,
-): boolean {
+function standsPast({ face, along, way }: WallEnd, other: WallFace, own: FaceSupport): boolean {
   if (face.members.length === 0 || other.members.length === 0) return false;
-  return mostPast(PLACE, (past) => {
-    const there = alongOf(other, ...pointOn(face, along + way * past));
-    return (shares[Math.floor((there - from) / step)] ?? 0) >= WALL_SHARE;
-  });
+  return mostPast(PLACE, (past) => wallAt(own, alongOf(other, ...pointOn(face, along + way * past))));
 }

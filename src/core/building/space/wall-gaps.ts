@@ -1,6 +1,6 @@
 import type { SeenSpace } from '../columns/seen-space.ts';
-import { alongOf, asideOf, crossingOf, type Face, isParallel, pointOn } from '../faces/face.ts';
-import { type FaceAmong, type FaceSupport, wallAt } from '../faces/face-support.ts';
+import { alongOf, behindOf, crossingOf, type Face, isParallel, pointOn } from '../faces/face.ts';
+import { type FaceAmong, wallAt } from '../faces/face-support.ts';
 import { LONGEST, NEAR_END, OPEN_SHARE } from './wall-corners.ts';
 
 /** Widest passage that a wall is taken to go on over, m. */
@@ -89,10 +89,8 @@ function openShare(face: Face, begin: number, end: number, seen: SeenSpace, acro
  * A corridor that passes through, or the mouth of a wing, is as wide as the gap.
  */
 function isPassage(gap: GapPlace): boolean {
-  const { faces, own, i, begin, end } = gap;
-  const isNarrowing = [1, -1].every((side) =>
-    [begin, end].some((along) => !passesBy(faces, own, i, { along, side })),
-  );
+  const { begin, end } = gap;
+  const isNarrowing = [1, -1].every((side) => [begin, end].some((along) => !passesBy(gap, along, side)));
   if (!isNarrowing) return false;
   return ![1, -1].some((side) => hasNicheBack(gap, side));
 }
@@ -102,11 +100,10 @@ function hasNicheBack({ faces, own, i, begin, end }: GapPlace, side: number): bo
   const face = faces[i];
   const backs = faces.flatMap((other, j) => (i !== j && isParallel(face, other) ? [j] : []));
   const isBacked = (along: number) => {
-    const [x, y] = pointOn(face, along);
+    const place = pointOn(face, along);
     return backs.some((j) => {
-      const turn = Math.sign(face.nx * faces[j].nx + face.ny * faces[j].ny);
-      const aside = -side * turn * asideOf(faces[j], x, y);
-      return aside > 0 && aside < DEEPEST_NICHE && wallAt(own[j], alongOf(faces[j], x, y));
+      const deep = behindOf(face, faces[j], side, place);
+      return deep > 0 && deep < DEEPEST_NICHE && wallAt(own[j], alongOf(faces[j], ...place));
     });
   };
   let [count, backed, first, last] = [0, 0, end, begin];
@@ -121,12 +118,7 @@ function hasNicheBack({ faces, own, i, begin, end }: GapPlace, side: number): bo
 }
 
 /** Whether a wall leads away from a face, near a place along it, to one side. */
-function passesBy(
-  faces: readonly Face[],
-  own: readonly FaceSupport[],
-  i: number,
-  { along, side }: { readonly along: number; readonly side: number },
-): boolean {
+function passesBy({ faces, own, i }: FaceAmong, along: number, side: number): boolean {
   const face = faces[i];
   return faces.some((other, j) => {
     const place = crossingOf(face, other);

@@ -1,5 +1,5 @@
 import type { SeenSpace } from '../columns/seen-space.ts';
-import { alongOf, asideOf, type Face, isParallel, pointOn } from '../faces/face.ts';
+import { alongOf, behindOf, type Face, isParallel, pointOn } from '../faces/face.ts';
 import { type FaceSupport, TAKEN_SHARE, WALL_SHARE, wallAt } from '../faces/face-support.ts';
 import { OPEN_SHARE, THICKEST_WALL, THINNEST_WALL } from './wall-corners.ts';
 
@@ -82,16 +82,14 @@ function knownStretch({ shares }: FaceSupport): KnownStretch {
 function backedStretches({ faces, supports, known, i, others, side }: Backing): BackedBit[][] {
   const face = faces[i];
   const { from, step, shares } = supports[i];
-  const asideTo = (other: Face, x: number, y: number) =>
-    -side * asideOf(other, x, y) * Math.sign(face.nx * other.nx + face.ny * other.ny);
   const isKnownBetter = (
     j: number,
-    { k, x, y, least }: { k: number; x: number; y: number; least: number },
+    { k, place, least }: { k: number; place: readonly [number, number]; least: number },
   ) => {
-    const thickness = least - asideTo(faces[j], x, y);
+    const thickness = least - behindOf(face, faces[j], side, place);
     const isAnother = Math.abs(thickness - least) >= THINNEST_WALL;
     if (!isAnother || thickness < THINNEST_WALL || thickness >= THICKEST_WALL) return false;
-    const bit = Math.floor((alongOf(faces[j], x, y) - supports[j].from) / step);
+    const bit = Math.floor((alongOf(faces[j], ...place) - supports[j].from) / step);
     const isFar = known[i].ways[k] * step > FAR_OFF && known[j].ways[bit] < known[i].ways[k];
     return isFar && known[j].bits > MUCH_MORE * known[i].bits;
   };
@@ -99,16 +97,16 @@ function backedStretches({ faces, supports, known, i, others, side }: Backing): 
   for (let k = 0; k < shares.length; k++) {
     if (shares[k] >= WALL_SHARE) continue;
     const along = from + (k + 0.5) * step;
-    const [x, y] = pointOn(face, along);
+    const place = pointOn(face, along);
     let [nearest, least] = [-1, THICKEST_WALL];
     for (const j of others) {
       const other = faces[j];
-      const aside = asideTo(other, x, y);
-      if (aside <= 0 || aside >= least || !wallAt(supports[j], alongOf(other, x, y))) continue;
+      const aside = behindOf(face, other, side, place);
+      if (aside <= 0 || aside >= least || !wallAt(supports[j], alongOf(other, ...place))) continue;
       [nearest, least] = [j, aside];
     }
     if (nearest < 0 || least < THINNEST_WALL) continue;
-    if (others.some((j) => isKnownBetter(j, { k, x, y, least }))) continue;
+    if (others.some((j) => isKnownBetter(j, { k, place, least }))) continue;
     const bit = { k, along, aside: side * least };
     const stretch = byOther.get(nearest);
     if (stretch) stretch.push(bit);
