@@ -22,12 +22,16 @@ export function shareVertices(sections: readonly (readonly Polygon[])[]): Polygo
   const vertices = new VertexPool();
   const joined = mapRings(sections, (ring) => vertices.join(ring));
   const sorted = vertices.sorted();
-  return mapRings(joined, (ring) => withVertices(ring, sorted));
+  return mapRings(joined, (ring) => withoutSpikes(withVertices(ring, sorted)));
 }
 
+/** Rings of which less than a triangle is left are gone. */
 function mapRings(sections: readonly (readonly Polygon[])[], map: (ring: Ring) => Ring): Polygon[][] {
+  const isArea = (ring: Ring) => ring.length >= 6;
   return sections.map((section) =>
-    section.map(({ outer, holes }) => ({ outer: map(outer), holes: holes.map(map) })),
+    section
+      .map(({ outer, holes }) => ({ outer: map(outer), holes: holes.map(map).filter(isArea) }))
+      .filter(({ outer }) => isArea(outer)),
   );
 }
 
@@ -93,6 +97,24 @@ function verticesOn(a: Vertex, b: Vertex, sorted: readonly Vertex[]): Vertex[] {
     if (isOn) found.push({ vertex, along });
   }
   return found.sort((s, t) => s.along - t.along).map(({ vertex }) => vertex);
+}
+
+/** Without ways out and back along one edge, which is what a sliver shrinks to when its vertices become one. */
+function withoutSpikes(ring: Ring): Ring {
+  const kept: number[] = [];
+  const isAt = (k: number, x: number, y: number) => kept.at(k) === x && kept.at(k + 1) === y;
+  for (let i = 0; i < ring.length; i += 2) {
+    if (isAt(-4, ring[i], ring[i + 1])) kept.length -= 2;
+    else if (!isAt(-2, ring[i], ring[i + 1])) kept.push(ring[i], ring[i + 1]);
+  }
+  // Across the ring's end.
+  for (;;) {
+    if (kept.length > 2 && isAt(-2, kept[0], kept[1])) kept.length -= 2;
+    else if (kept.length > 4 && isAt(-4, kept[0], kept[1])) kept.length -= 2;
+    else if (kept.length > 4 && isAt(-2, kept[2], kept[3])) kept.splice(0, 2);
+    else break;
+  }
+  return kept.length === ring.length ? ring : Float64Array.from(kept);
 }
 
 function firstFrom(sorted: readonly Vertex[], x: number): number {

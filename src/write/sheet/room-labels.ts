@@ -24,6 +24,8 @@ export function drawnName(name: string): string {
 
 /** Middle of texts that are led out, off the plan, mm: between it and the first chain. */
 const LED_OUT = 2.8;
+/** Boxes that stand side by side are so far apart, mm. */
+const APART = 0.01;
 
 export interface LabelFacts {
   readonly storey: Storey;
@@ -186,19 +188,40 @@ function leadOut(
   return { items: [line, ...textsAt(textX, textY, [text], look)], box };
 }
 
-/** The box about a place that meets no other: there, or to either side, farther and farther. */
+/** The box about a place that meets no other: there, or as little to a side as may be. n log n for n others. */
 function freeBox(
-  start: readonly [number, number],
+  [x, y]: readonly [number, number],
   [width, height]: readonly [number, number],
   { along, others }: { along: 0 | 1; others: readonly Bounds[] },
 ): Bounds {
-  for (let i = 0; ; i++) {
-    const aside = (i % 2 === 0 ? 1 : -1) * Math.ceil(i / 2) * (TEXT_SIZES.label / 2);
-    const [x, y] = along === 0 ? [start[0] + aside, start[1]] : [start[0], start[1] + aside];
-    const box: Bounds = {
-      ...{ minX: x - width / 2, maxX: x + width / 2 },
-      ...{ minY: y - height / 2, maxY: y + height / 2 },
+  const boxAt = (at: number): Bounds => {
+    const [midX, midY] = along === 0 ? [at, y] : [x, at];
+    return {
+      ...{ minX: midX - width / 2, maxX: midX + width / 2 },
+      ...{ minY: midY - height / 2, maxY: midY + height / 2 },
     };
-    if (!others.some((other) => boundsMeet(other, box))) return box;
+  };
+  const start = along === 0 ? x : y;
+  const row =
+    along === 0
+      ? { ...boxAt(x), minX: -Infinity, maxX: Infinity }
+      : { ...boxAt(y), minY: -Infinity, maxY: Infinity };
+  const half = (along === 0 ? width : height) / 2 + APART;
+  const blocked = others
+    .filter((other) => boundsMeet(row, other))
+    .map(({ minX, minY, maxX, maxY }) =>
+      along === 0 ? [minX - half, maxX + half] : [minY - half, maxY + half],
+    )
+    .sort((a, b) => a[0] - b[0]);
+  // What is blocked in one run: the first that ends behind the start is the one about it, or there is none.
+  let [low, high] = [-Infinity, -Infinity];
+  for (const [from, to] of blocked) {
+    if (from >= high) {
+      if (high > start) break;
+      low = from;
+    }
+    high = Math.max(high, to);
   }
+  if (low >= start || high <= start) return boxAt(start);
+  return boxAt(start - low < high - start ? low : high);
 }
