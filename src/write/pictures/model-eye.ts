@@ -21,6 +21,8 @@ export interface Eye extends Sight {
   readonly elevation: number;
   /** Of the page above its caption, px. */
   readonly height: number;
+  /** What one px shows, m. */
+  readonly pixel: number;
   /** Vertices x, y at a height, m, to px. */
   map(xy: ArrayLike<number>, z: number): Float64Array;
 }
@@ -50,6 +52,7 @@ export function makeEye(solid: Solid, turn: number): Eye {
     light: direction(LIGHT),
     elevation,
     height,
+    pixel: 1 / scale,
     map(xy, z) {
       const mapped = new Float64Array(xy.length);
       for (let i = 0; i < xy.length; i += 2) {

@@ -17,6 +17,8 @@ const SHADOW = 0.3;
 const SHADE = 0.09;
 const EDGE = { fill: 'none', stroke: INK, 'stroke-width': 0.7, 'stroke-linecap': 'round' } as const;
 const HIDDEN_EDGE = { ...EDGE, 'stroke-dasharray': '4 3' } as const;
+/** Heads and sills that differ by less are drawn at one height, m: as measured, hardly two of them are quite alike. */
+const SAME_HEIGHT = 0.02;
 /** A face's own colour along its edge closes the seams that smoothing would leave, px. */
 const SEAM = 0.5;
 
@@ -25,7 +27,7 @@ export function drawModel({ solid, plan }: Partial<StageResults>): Drawing | nul
   if (solid === undefined || solid.indices.length === 0) return null;
   const turn = sheetTurn(plan?.storeys ?? []);
   const eye = makeEye(solid, turn);
-  const slabs = slabsOf(solid);
+  const slabs = slabsOf(solid, Math.min(SAME_HEIGHT, eye.pixel / 2));
   const items = slabs.flatMap((slab, k) => [
     ...paintSides(slab, slabs[k - 1], eye),
     ...slab.tops.map((top) => paintTop(top, slab.high, eye)),

@@ -18,7 +18,7 @@ export interface GroupRings {
 }
 
 /** Heights that differ by less than this, m, are one: Boolean operations round. */
-const SAME_HEIGHT = 1e-6;
+const ROUNDING = 1e-6;
 /** A vertex nearer than this to the line through its neighbours, m, came from a triangulation. */
 const ON_LINE = 1e-6;
 
@@ -26,10 +26,12 @@ const ON_LINE = 1e-6;
  * Cuts a solid at the heights of its horizontal faces. Between two of them nothing changes, so each slab is an upright
  * prism over the section at its middle: the triangulation is gone and whole faces are left. O(triangles × slabs).
  *
- * @param solid plan frame; every face vertical or horizontal, as everything extruded from a plan is
+ * @param exact plan frame; every face vertical or horizontal, as everything extruded from a plan is
+ * @param within level faces less than this apart, m, are shown at the height of the lowest of them
  */
-export function slabsOf(solid: Solid): SolidSlab[] {
-  const levels = heightsOf(solid);
+export function slabsOf(exact: Solid, within = ROUNDING): SolidSlab[] {
+  const levels = heightsOf(exact, within);
+  const solid = { ...exact, positions: atLevels(exact.positions, levels, within) };
   return levels.slice(1).map((high, k) => ({
     low: levels[k],
     high,
@@ -43,16 +45,28 @@ export function slabsOf(solid: Solid): SolidSlab[] {
 }
 
 /** Boolean operations leave vertices on upright faces, at any height; only level faces count. */
-function heightsOf({ positions, indices }: Solid): number[] {
+function heightsOf({ positions, indices }: Solid, within: number): number[] {
   const level: number[] = [];
   for (let at = 0; at < indices.length; at += 3) {
     const [a, b, c] = [0, 1, 2].map((k) => positions[3 * indices[at + k] + 2]);
-    if (Math.max(a, b, c) - Math.min(a, b, c) <= SAME_HEIGHT) level.push(a);
+    if (Math.max(a, b, c) - Math.min(a, b, c) <= ROUNDING) level.push(a);
   }
   const sorted = Float64Array.from(level).sort();
   const heights: number[] = [];
-  for (const z of sorted) if (heights.length === 0 || z - heights.at(-1)! > SAME_HEIGHT) heights.push(z);
+  for (const z of sorted) if (heights.length === 0 || z - heights.at(-1)! > within) heights.push(z);
   return heights;
+}
+
+/** Vertices that lie above a level by no more than what does not count are on it. */
+function atLevels(positions: Float64Array, levels: readonly number[], within: number): Float64Array {
+  const moved = positions.slice();
+  const ascending = Float64Array.from(levels);
+  for (let i = 2; i < moved.length; i += 3) {
+    const z = moved[i];
+    const level = ascending.findLast((height) => height <= z);
+    if (level !== undefined && z - level <= within) moved[i] = level;
+  }
+  return moved;
 }
 
 /** A directed edge of a section or face; keys name places of the mesh, so equal places need no comparing of numbers. */
@@ -99,7 +113,7 @@ function topRings({ positions, indices }: Solid, { start, count }: SolidGroup, z
   const edges = new Map<number, RingEdge>();
   for (let at = start; at < start + count; at += 3) {
     const corners = [indices[at], indices[at + 1], indices[at + 2]];
-    if (!corners.every((corner) => Math.abs(positions[3 * corner + 2] - z) <= SAME_HEIGHT)) continue;
+    if (!corners.every((corner) => Math.abs(positions[3 * corner + 2] - z) <= ROUNDING)) continue;
     if (turnOf(positions, corners) <= 0) continue;
     corners.forEach((from, k) => {
       const to = corners[(k + 1) % 3];
