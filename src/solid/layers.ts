@@ -1,5 +1,5 @@
 import { combine } from '../core/geometry/areas.ts';
-import { boundsOfAll, inBounds, near } from '../core/geometry/rings.ts';
+import { type Bounds, boundsMeet, boundsOf, boundsOfAll, inBounds, near } from '../core/geometry/rings.ts';
 import type { Polygon } from '../core/types.ts';
 import { type CutGroup, groupCuts, openAt, piecesByGroup } from './cut-groups.ts';
 import { extrude, ON_EDGE } from './extrude.ts';
@@ -34,6 +34,14 @@ interface TiledPart {
   readonly top: readonly Polygon[];
 }
 
+/** A part's plan, which touches itself at no height, and the openings cut out of it by their places. */
+interface CutPlan {
+  readonly whole: readonly Polygon[];
+  readonly groups: readonly CutGroup[];
+  readonly low: number;
+  readonly high: number;
+}
+
 /**
  * A part with openings: what none of them cuts rises from bottom to top; what those at one place cut is raised layer by
  * layer. Level faces close what lies bare at sills and heads, and where two pieces stand side by side there is none. So
@@ -41,56 +49,83 @@ interface TiledPart {
  * whole part.
  *
  * All is cut from one section, and an edge takes up the vertices of other pieces that lie on it, so pieces meet vertex
- * by vertex. Where two openings meet corner to corner, no single shell is a two-manifold: then every layer is a shell of
- * its own.
+ * by vertex. Where two openings meet corner to corner, no single shell is a two-manifold: there every layer is a shell
+ * of its own.
  *
  * @returns one closed shell for each piece that hangs together
  */
-export function layeredShells(part: Part): TriangleMesh[] {
-  const { tiles, bottom, top } = withSharedVertices(tilesOf(part));
-  const mesh = new LayeredMesh();
-  mesh.addCaps(bottom, part.low, 'down');
-  for (const tile of tiles) {
-    tile.forEach(({ section, low, high }, k) => {
-      mesh.addSides(section, low, high);
-      if (k === 0) return;
-      const below = tile[k - 1].section;
-      mesh.addCaps(combine('difference', section, below), low, 'down');
-      mesh.addCaps(combine('difference', below, section), low, 'up');
-    });
-  }
-  mesh.addCaps(top, part.high, 'up');
-  const joined = closeTJunctions(mesh.toMesh(), ON_EDGE);
-  if (openEdges(joined.indices).length === 0) return splitShells(joined);
-  if (openEdges(joined.indices).length === 0) return splitShells(joined);
-  return tiles.flat().flatMap(({ section, low, high }) => section.map((area) => extrude(area, low, high)));
-}
-
-/** The first tile is what no opening cuts. */
-function tilesOf(part: Part): TiledPart {
-  const { base, changes, openings, low, high } = part;
+export function layeredShells({ base, changes, openings, low, high }: Part): TriangleMesh[] {
   // Structures that were added stand in an opening's way.
   const added = changes.flatMap(({ outline, operation }) => (operation === 'add' ? [outline] : []));
   const groups = groupCuts(openings, added);
-  const whole = withoutPinches(carve(base, changes), groups, part);
+  let plan: CutPlan = { whole: carve(base, changes), groups, low, high };
+  plan = { ...plan, whole: withoutPinches(plan) };
+  const apart: TriangleMesh[] = [];
+  for (;;) {
+    const tiled = tilesOf(plan);
+    const mesh = meshOf(tiled, plan);
+    const open = openPlaces(mesh);
+    if (open.length === 0) return [...splitShells(mesh), ...apart];
+    const isTroubled = plan.groups.map(({ boxes }) =>
+      boxes.some((box) => open.some((at) => boundsMeet(box, at))),
+    );
+    if (!isTroubled.includes(true)) return [...extruded(tiled.tiles), ...apart];
+    apart.push(...extruded(tiled.tiles.filter((_, t) => t > 0 && isTroubled[t - 1])));
+    plan = {
+      ...plan,
+      whole: combine('difference', plan.whole, placesOf(plan.groups.filter((_, g) => isTroubled[g]))),
+      groups: plan.groups.filter((_, g) => !isTroubled[g]),
+    };
+  }
+}
+
+function meshOf({ tiles, bottom, top }: TiledPart, { low, high }: CutPlan): TriangleMesh {
+  const mesh = new LayeredMesh();
+  mesh.addCaps(bottom, low, 'down');
+  for (const tile of tiles) {
+    tile.forEach((layer, k) => {
+      mesh.addSides(layer.section, layer.low, layer.high);
+      if (k === 0) return;
+      const below = tile[k - 1].section;
+      mesh.addCaps(combine('difference', layer.section, below), layer.low, 'down');
+      mesh.addCaps(combine('difference', below, layer.section), layer.low, 'up');
+    });
+  }
+  mesh.addCaps(top, high, 'up');
+  return closeTJunctions(mesh.toMesh(), ON_EDGE);
+}
+
+/** Every layer a shell of its own. */
+const extruded = (tiles: readonly Tile[]): TriangleMesh[] =>
+  tiles.flat().flatMap(({ section, low, high }) => section.map((area) => extrude(area, low, high)));
+
+/** Where edges lack a neighbour, seen from above. */
+function openPlaces({ positions, indices }: TriangleMesh): Bounds[] {
+  return [...new Set(openEdges(indices))].map((vertex) =>
+    boundsOf(positions.subarray(3 * vertex, 3 * vertex + 2)),
+  );
+}
+
+/** The first tile is what no opening cuts, then one for each group. */
+function tilesOf(plan: CutPlan): TiledPart {
+  const { whole, groups, low, high } = plan;
   const cuts = groups.flatMap((group) => group.cuts);
-  const places = cuts.flatMap((cut) => cut.base);
-  const pieces = piecesByGroup(combine('intersection', whole, places), groups);
-  return {
+  const pieces = piecesByGroup(combine('intersection', whole, placesOf(groups)), groups);
+  return withSharedVertices({
     tiles: [
-      [{ section: combine('difference', whole, places), low, high }],
-      ...groups.map((group, g) => layersOf(pieces[g], group, part)),
+      [{ section: combine('difference', whole, placesOf(groups)), low, high }],
+      ...groups.map((group, g) => layersOf(pieces[g], group, plan)),
     ],
     bottom: combine('difference', whole, openAt({ cuts }, low + LEAST_LAYER)),
     top: combine('difference', whole, openAt({ cuts }, high - LEAST_LAYER)),
-  };
+  });
 }
 
 /** An area with the openings of a group cut out of it. */
 function layersOf(
   area: readonly Polygon[],
   group: CutGroup,
-  { low, high }: Pick<Part, 'low' | 'high'>,
+  { low, high }: Pick<CutPlan, 'low' | 'high'>,
 ): Layer[] {
   const heights = [low];
   for (const z of group.cuts.flatMap((cut) => [cut.low, cut.high]).sort((a, b) => a - b)) {
@@ -103,40 +138,31 @@ function layersOf(
   }));
 }
 
-/** An area that touches itself at no height, whatever is cut out of it there. */
-function withoutPinches(
-  area: readonly Polygon[],
-  groups: readonly CutGroup[],
-  part: Part,
-): readonly Polygon[] {
-  let whole = area;
+/** A part's plan that touches itself at no height, whatever is cut out of it there. */
+function withoutPinches(plan: CutPlan): readonly Polygon[] {
+  let { whole } = plan;
   for (let round = 0; round < PINCH_ROUNDS; round++) {
-    const pinches = [...pinchesAllOpen(whole, groups), ...pinchesByLayer(whole, groups, part)];
+    // Where a group is one opening, there is no more to see than with all of them open.
+    const allOpen = combine('difference', whole, placesOf(plan.groups));
+    const pinches = [...pinchesOf(allOpen), ...pinchesByLayer({ ...plan, whole })];
     if (pinches.length === 0) break;
     whole = combine('difference', whole, pinches);
   }
   return whole;
 }
 
-/** Where a group is one opening, there is no more to see than with all of them open. */
-const pinchesAllOpen = (whole: readonly Polygon[], groups: readonly CutGroup[]): Polygon[] =>
-  pinchesOf(
-    combine(
-      'difference',
-      whole,
-      groups.flatMap(({ cuts }) => cuts.flatMap(({ base }) => base)),
-    ),
+function pinchesByLayer(plan: CutPlan): Polygon[] {
+  const several = plan.groups.filter(({ cuts }) => cuts.length > 1);
+  const windows = several.map((group) => windowAround(placesOf([group])));
+  const seen = combine('intersection', plan.whole, windows).map(inBounds);
+  return several.flatMap((group, g) =>
+    layersOf(near(seen, windows[g]), group, plan).flatMap(({ section }) => pinchesOf(section)),
   );
-
-function pinchesByLayer(whole: readonly Polygon[], groups: readonly CutGroup[], part: Part): Polygon[] {
-  const several = groups.filter(({ cuts }) => cuts.length > 1);
-  const windows = several.map(({ cuts }) => windowAround(cuts.flatMap(({ base }) => base)));
-  const seen = combine('intersection', whole, windows).map(inBounds);
-  return several.flatMap((group, g) => {
-    const area = near(seen, windows[g]);
-    return layersOf(area, group, part).flatMap(({ section }) => pinchesOf(section));
-  });
 }
+
+/** All that some opening of the groups cuts away. */
+const placesOf = (groups: readonly CutGroup[]): Polygon[] =>
+  groups.flatMap(({ cuts }) => cuts.flatMap(({ base }) => base));
 
 function windowAround(areas: readonly Polygon[]): Polygon {
   const { minX, minY, maxX, maxY } = boundsOfAll(areas.map(({ outer }) => outer));

@@ -169,6 +169,20 @@ test('doors side by side, over each other and of two heights, and a window, stay
   expect(check.volume).toBeCloseTo((4.4 * 3.4 - 12) * 2.5 - cut * 0.2, 9);
 });
 
+test('where openings meet corner to corner the layers there part; the rest stays one shell', async () => {
+  const corner = [door([1, -0.1], [1.9, -0.1]), door([1.9, -0.1], [2.8, -0.1], { sill: 2, head: 2.3 })];
+  const elsewhere = [door([1, 3.1], [1.9, 3.1], { head: 2.1 }), door([4.1, 1], [4.1, 2], { sill: 0.9, head: 2.2 })];
+  const { check, names } = await solidOf({
+    storeys: [{ openings: [...corner, ...elsewhere] }],
+    options: NO_SLABS,
+  });
+  expect(check).toMatchObject({ watertight: true, openEdges: 0 });
+  const cut = 0.9 * 2 + 0.9 * 0.3 + 0.9 * 2.1 + 1 * 1.3;
+  expect(check.volume).toBeCloseTo((4.4 * 3.4 - 12) * 2.5 - cut * 0.2, 6);
+  // The wall around, and about the corner: beside the door, between head and upper sill, over both.
+  expect(names.length).toBeLessThanOrEqual(4);
+});
+
 test('an added structure stands in a door; the wall of the next room and openings off every wall are let alone', async () => {
   const pilaster = secondary(rectangle(1.2, -0.2, 0.3, 0.6), 'add');
   const next = wallAround(rectangle(0, -3.3, 4, 3), 0.1);
