@@ -2,9 +2,8 @@ import type { StageContext } from '../../core/context.ts';
 import { areaOf, combine } from '../../core/geometry/areas.ts';
 import type { Circle } from '../../core/geometry/circle.ts';
 import { circlesOf } from '../../core/geometry/ring-arcs.ts';
-import { type Bounds, boundsOfAll, perimeter, ringsOf } from '../../core/geometry/rings.ts';
+import { perimeter, ringsOf } from '../../core/geometry/rings.ts';
 import { rotationBy } from '../../core/geometry/square-turn.ts';
-import type { Options } from '../../core/params.ts';
 import {
   type Affine,
   chain,
@@ -14,32 +13,23 @@ import {
   type SheetItem,
   type SheetLayer,
   type SheetPath,
-  TEXT_SIZES,
 } from '../../core/sheet.ts';
-import type { Furniture, Opening, Polygon, RingArc, SecondaryBoundary, Storey } from '../../core/types.ts';
+import type { Furniture, Polygon, RingArc, SecondaryBoundary, Storey } from '../../core/types.ts';
 import { footprint } from '../../solid/sections.ts';
 import { rounded } from '../decimals.ts';
 import type { Product } from '../plan-writer.ts';
 import { printable } from '../printable.ts';
 import { roundedPolygons } from '../rounded-polygons.ts';
 import { cutWalls } from './cut-walls.ts';
-import {
-  type Dimensions,
-  drawDimensions,
-  extentOf,
-  type Inside,
-  NO_DIMENSIONS,
-  planDimensions,
-} from './dimensions.ts';
 import { drawOpenings, placeData } from './draw-openings.ts';
 import { hatch } from './hatch.ts';
+import { layOut } from './lay-out.ts';
 import { formatArea, formatDimension } from './measure-words.ts';
 import { drawRoomDimensions } from './room-dimensions.ts';
-import { drawnName, placeLabels } from './room-labels.ts';
+import { drawKey } from './room-key.ts';
+import { drawnName } from './room-labels.ts';
 import { HATCHES } from './secondary-hatch.ts';
-import { fitPage, type Page } from './sheet-page.ts';
 import { sheetTurn } from './sheet-turn.ts';
-import { textWidth } from './text-width.ts';
 import { drawTitleBlock, type LegendEntry, titleRows } from './title-block.ts';
 
 /** Decimals of metres in data attributes: 0.1 mm. */
@@ -70,18 +60,13 @@ export function drawSheet(facts: SheetFacts, storey: number, warn: StageContext[
   const { plan, slice, options } = facts;
   const drawn = plan.storeys[storey];
   const turn = sheetTurn(plan.storeys);
-  const { page, dimensions, extent } = layOut(drawn, turn, options, warn);
+  const { page, outer, labels, key } = layOut(drawn, { turn, options }, warn);
   const { paper, scale, planToSheet: squareToSheet } = page;
   const planToSheet = chain(squareToSheet, rotationBy(turn));
   const unit = options.displayUnits;
   const walls = drawWalls(drawn, planToSheet);
   const openings = drawOpenings(drawn, planToSheet);
   warnOfCutNames(drawn, warn);
-  const outer = drawDimensions(dimensions, extent, { planToSheet: squareToSheet, unit });
-  const labels = placeLabels({
-    ...{ storey: drawn, planToSheet, unit, extent: onSheet(extent, squareToSheet) },
-    taken: outer.flatMap(boxesOf),
-  });
   const inner = drawRoomDimensions({
     ...{ rooms: options.dimensions === 'all' ? drawn.rooms.map(({ outline }) => outline) : [] },
     ...{ structures: drawn.secondary.map(({ outline }) => outline), planToSheet },
@@ -103,7 +88,11 @@ export function drawSheet(facts: SheetFacts, storey: number, warn: StageContext[
     { name: 'gaps', isVisible: true, items: walls.gaps },
     { name: 'openings', isVisible: true, items: openings },
     { name: 'dimensions', isVisible: true, items: [...outer, ...inner] },
-    { name: 'labels', isVisible: true, items: labels.flatMap(({ items }) => items) },
+    {
+      name: 'labels',
+      isVisible: true,
+      items: [...labels.flatMap(({ items }) => items), ...drawKey(key, paper)],
+    },
     { name: 'title', isVisible: true, items: block },
   ];
   const description = [words.title, ...words.lines].join('. ');
@@ -129,53 +118,6 @@ function warnOfCutTitle(title: string, warn: StageContext['warn']): void {
     message: `The title is too long for the drawing, which shows “${rows.join(' ')}”.`,
     hint: 'Give the project a shorter name.',
   });
-}
-
-/** Where the plan stands on which paper, and what is measured around it. */
-function layOut(
-  drawn: Storey,
-  turn: number,
-  options: Options,
-  warn: StageContext['warn'],
-): { page: Page; dimensions: Dimensions; extent: Bounds } {
-  const toSquare = rotationBy(turn);
-  const covered = footprint(drawn).map((polygon) => mappedPolygon(polygon, toSquare));
-  const extent = extentOf(covered.length > 0 ? covered : [{ outer: new Float64Array(2), holes: [] }]);
-  const inside = turnedInside(drawn, toSquare);
-  const measure = (scale: number) =>
-    options.dimensions === 'none' ? NO_DIMENSIONS : planDimensions(covered, extent, scale, inside);
-  // The steps worth a dimension depend on the scale and the scale on their space: the second guess settles it.
-  const firstGuess = fitPage(extent, measure(1).surround, options);
-  const dimensions = measure(firstGuess.scale);
-  return { page: fitPage(extent, dimensions.surround, options, warn), dimensions, extent };
-}
-
-function turnedInside({ rooms, openings }: Storey, turn: Affine): Inside {
-  const at = ([x, y]: Opening['from']): Opening['from'] => {
-    const [across, ahead] = mapped(Float64Array.of(x, y), turn);
-    return [across, ahead];
-  };
-  return {
-    rooms: rooms.map((room) => ({ ...room, outline: mappedPolygon(room.outline, turn) })),
-    openings: openings.map((opening) => ({ ...opening, from: at(opening.from), to: at(opening.to) })),
-  };
-}
-
-/** What an item takes of the sheet, mm. */
-function boxesOf(item: SheetItem): Bounds[] {
-  if (item.kind === 'path') return [boundsOfAll(item.lines)];
-  if (item.kind === 'points') return [];
-  const { x, y, text, isUpright } = item;
-  const [half, high] = [textWidth(text, TEXT_SIZES[item.size]) / 2, TEXT_SIZES[item.size]];
-  return isUpright
-    ? [{ minX: x - high, maxX: x, minY: y - half, maxY: y + half }]
-    : [{ minX: x - half, maxX: x + half, minY: y - high, maxY: y }];
-}
-
-/** A box of the plan as it lies on the sheet, whose y runs down. */
-function onSheet({ minX, minY, maxX, maxY }: Bounds, planToSheet: Affine): Bounds {
-  const [left, bottom, right, top] = mapped(Float64Array.of(minX, minY, maxX, maxY), planToSheet);
-  return { minX: left, minY: top, maxX: right, maxY: bottom };
 }
 
 /**
@@ -327,8 +269,4 @@ function accuracyNote({ rooms, primary, gaps }: Storey): string {
 function headingOf({ plan, options }: SheetFacts, turn: number): { heading: number; headingName: string } {
   if (options.north !== 'auto') return { heading: turn - (options.north * Math.PI) / 180, headingName: 'N' };
   return { heading: turn, headingName: plan.frame.crs === undefined ? 'y' : 'N' };
-}
-
-function mappedPolygon({ outer, holes }: Polygon, map: Affine): Polygon {
-  return { outer: mapped(outer, map), holes: holes.map((hole) => mapped(hole, map)) };
 }

@@ -6,10 +6,12 @@ import { isClear, meetsEdges } from './clear-box.ts';
 import { isolated } from './isolated.ts';
 import { labelPoint } from './label-point.ts';
 import { type DisplayUnit, formatArea } from './measure-words.ts';
+import type { KeyEntry } from './room-key.ts';
 import { shorten, textWidth } from './text-width.ts';
 
-/** Blank around a text, mm. */
+/** Blank around a text, mm, and around a number in a small room. */
 const BLANK = 1;
+const BLANK_AROUND_NUMBER = 0.4;
 /** Blank between two lines of a label, mm. */
 const LEADING = 1;
 /** A label that does not fit at the middle of its room is tried at so many places across and down. */
@@ -47,53 +49,113 @@ export interface PlacedLabel {
 interface Look {
   readonly size: keyof typeof TEXT_SIZES;
   readonly isUpright: boolean;
+  /** mm */
+  readonly blank: number;
 }
 
 const LOOKS: readonly Look[] = [
-  { size: 'room', isUpright: false },
-  { size: 'label', isUpright: false },
-  { size: 'label', isUpright: true },
+  { size: 'room', isUpright: false, blank: BLANK },
+  { size: 'label', isUpright: false, blank: BLANK },
+  { size: 'label', isUpright: true, blank: BLANK },
 ];
+const NUMBER_LOOKS: readonly Look[] = [
+  { size: 'label', isUpright: false, blank: BLANK },
+  { size: 'label', isUpright: false, blank: BLANK_AROUND_NUMBER },
+  { size: 'label', isUpright: true, blank: BLANK_AROUND_NUMBER },
+];
+
+/** So many labels may be led out; of more the lines would hide the plan, and there is a key instead. */
+const MOST_LED_OUT = 6;
+
+/** Labels, and what the numbers among them stand for. */
+export interface PlacedLabels {
+  readonly labels: readonly PlacedLabel[];
+  readonly key: readonly KeyEntry[];
+}
 
 /**
  * Room names over areas; where no rooms are known, the area within the primary boundary.
  *
  * Each as near to where its room has most space as it fits in, clear of walls and structures, and of furniture where that
- * leaves it a place; smaller, then turned, where it does not fit; at the end of a line out of the plan where it fits in no
- * way.
+ * leaves it a place; smaller, then turned, where it does not fit. What fits in no way stands at the end of a line out of
+ * the plan or, where that goes for many, in a key, and the room bears its number there.
  */
-export function placeLabels({ storey, planToSheet, unit, extent, taken = [] }: LabelFacts): PlacedLabel[] {
-  const structures = storey.secondary.map(({ outline }) => outline);
+export function placeLabels({ storey, planToSheet, unit, extent, taken = [] }: LabelFacts): PlacedLabels {
   const furniture = ringsOf((storey.furniture ?? []).map(({ outline }) => outline)).map((ring) =>
     mapped(ring, planToSheet),
   );
+  const rooms = roomsOf(storey, { planToSheet, unit });
+  const placed = rooms.map(({ title, words, spaces }) =>
+    placeInRoom(spaces, title === '' ? [words] : [title, words], { looks: LOOKS, furniture }),
+  );
+  const besides = [...taken];
+  const lead = (text: string, { spaces }: LabelledRoom): PlacedLabel => {
+    const led = leadOut(spaces[0].middle, text, extent, besides);
+    besides.push(led.box);
+    return led;
+  };
+  if (placed.filter((label) => label === null).length <= MOST_LED_OUT) {
+    return { labels: rooms.map((room, i) => placed[i] ?? lead(onOneLine(room), room)), key: [] };
+  }
+  const labels = rooms.map((room, i) => {
+    if (placed[i] !== null) return placed[i];
+    const number = numberOf(room);
+    return placeInRoom(room.spaces, [number], { looks: NUMBER_LOOKS, furniture: [] }) ?? lead(number, room);
+  });
+  const keyed = rooms.filter((_, i) => placed[i] === null);
+  return { labels, key: keyed.map((room) => ({ number: numberOf(room), words: onOneLine(room) })) };
+}
+
+/** A room, or an area without a name, that has an area to speak of. */
+interface LabelledRoom {
+  /** Among the storey's. */
+  readonly index: number;
+  readonly title: string;
+  readonly words: string;
+  /** The pieces that structures leave of it, the roomiest first; middle and rings in mm on the sheet. */
+  readonly spaces: readonly Pick<Space, 'rings' | 'middle'>[];
+}
+
+/** As rooms are named that have no name of their own. */
+const numberOf = ({ index }: LabelledRoom): string => String(index + 1);
+
+const onOneLine = ({ title, words }: LabelledRoom): string =>
+  title === '' ? words : `${isolated(title)}, ${words}`;
+
+function roomsOf(
+  storey: Storey,
+  { planToSheet, unit }: Pick<LabelFacts, 'planToSheet' | 'unit'>,
+): LabelledRoom[] {
+  const structures = storey.secondary.map(({ outline }) => outline);
   const rooms =
     storey.rooms.length > 0 ? storey.rooms : storey.primary.map((outline) => ({ name: '', outline }));
-  const besides = [...taken];
-  return rooms.flatMap(({ name, outline }): PlacedLabel[] => {
+  return rooms.flatMap(({ name, outline }, index) => {
     const area = areaOf([outline]);
     if (area === 0) return [];
-    const words = formatArea(area, unit);
-    const title = drawnName(name);
-    const lines = title === '' ? [words] : [title, words];
     const free = combine('difference', [outline], structures);
     const spaces = (free.length > 0 ? free : [outline])
       .map((polygon) => ringsOf([polygon]).map((ring) => mapped(ring, planToSheet)))
       .map((rings) => ({ rings, middle: labelPoint({ outer: rings[0], holes: rings.slice(1) }) }))
       .sort((a, b) => b.middle[2] - a.middle[2]);
-    for (const look of LOOKS) {
-      for (const keepOff of furniture.length > 0 ? [furniture, []] : [[]]) {
-        for (const { rings, middle } of spaces) {
-          const placed = placeWithin({ rings, middle, keepOff }, lines, look);
-          if (placed !== null) return [placed];
-        }
+    return [{ index, title: drawnName(name), words: formatArea(area, unit), spaces }];
+  });
+}
+
+/** In the best look that fits, off the furniture where that leaves a place; null where none does. */
+function placeInRoom(
+  spaces: LabelledRoom['spaces'],
+  lines: readonly string[],
+  { looks, furniture }: { looks: readonly Look[]; furniture: readonly Ring[] },
+): PlacedLabel | null {
+  for (const look of looks) {
+    for (const keepOff of furniture.length > 0 ? [furniture, []] : [[]]) {
+      for (const space of spaces) {
+        const placed = placeWithin({ ...space, keepOff }, lines, look);
+        if (placed !== null) return placed;
       }
     }
-    const line = title === '' ? words : `${isolated(title)}, ${words}`;
-    const led = leadOut(spaces[0].middle, line, extent, besides);
-    besides.push(led.box);
-    return [led];
-  });
+  }
+  return null;
 }
 
 /** Where a label may stand, mm. */
@@ -136,7 +198,7 @@ function placeWithin(
 function sizeOf(lines: readonly string[], look: Look): [width: number, height: number] {
   const width = Math.max(...lines.map((line, i) => textWidth(line, TEXT_SIZES[sizeOfLine(look, i)])));
   const height = lines.reduce((sum, _, i) => sum + TEXT_SIZES[sizeOfLine(look, i)], 0);
-  const [w, h] = [width + 2 * BLANK, height + (lines.length - 1) * LEADING + 2 * BLANK];
+  const [w, h] = [width + 2 * look.blank, height + (lines.length - 1) * LEADING + 2 * look.blank];
   return look.isUpright ? [h, w] : [w, h];
 }
 
@@ -145,7 +207,7 @@ const sizeOfLine = ({ size }: Look, line: number): Look['size'] => (line === 0 ?
 
 function textsAt(x: number, y: number, lines: readonly string[], look: Look): SheetText[] {
   const [width, height] = sizeOf(lines, look);
-  let down = -(look.isUpright ? width : height) / 2 + BLANK;
+  let down = -(look.isUpright ? width : height) / 2 + look.blank;
   return lines.map((text, i) => {
     const size = sizeOfLine(look, i);
     // Capitals are about three quarters of the type size high, and these lines have few descenders.
@@ -170,7 +232,7 @@ function leadOut(
     { edge: maxX + LED_OUT, isUpright: true },
   ];
   const leads = sides.map(({ edge, isUpright }) => {
-    const look: Look = { size: 'label', isUpright };
+    const look: Look = { size: 'label', isUpright, blank: BLANK };
     const size = sizeOf([text], look);
     const start = isUpright ? ([edge, y] as const) : ([x, edge] as const);
     const box = freeBox(start, size, { along: isUpright ? 1 : 0, others });

@@ -171,7 +171,10 @@ test('doors side by side, over each other and of two heights, and a window, stay
 
 test('where openings meet corner to corner the layers there part; the rest stays one shell', async () => {
   const corner = [door([1, -0.1], [1.9, -0.1]), door([1.9, -0.1], [2.8, -0.1], { sill: 2, head: 2.3 })];
-  const elsewhere = [door([1, 3.1], [1.9, 3.1], { head: 2.1 }), door([4.1, 1], [4.1, 2], { sill: 0.9, head: 2.2 })];
+  const elsewhere = [
+    door([1, 3.1], [1.9, 3.1], { head: 2.1 }),
+    door([4.1, 1], [4.1, 2], { sill: 0.9, head: 2.2 }),
+  ];
   const { check, names } = await solidOf({
     storeys: [{ openings: [...corner, ...elsewhere] }],
     options: NO_SLABS,

@@ -20,7 +20,7 @@ function labelsOf(rooms: readonly { name: string; outer: Float64Array }[]): Plac
     ],
   });
   const all = boundsOf(Float64Array.from(rooms.flatMap(({ outer }) => [...mapped(outer, TO_SHEET)])));
-  return placeLabels({ storey: storeys[0], planToSheet: TO_SHEET, unit: 'm', extent: all });
+  return [...placeLabels({ storey: storeys[0], planToSheet: TO_SHEET, unit: 'm', extent: all }).labels];
 }
 
 const isLedOut = ({ items }: PlacedLabel) => items.some(({ kind }) => kind === 'path');
@@ -45,6 +45,33 @@ test('a label stands in its room: whole, small, turned, and led out where none o
     ['label', true, false],
     ['label', false, true],
   ]);
+});
+
+test('where many names do not fit, their rooms bear numbers, and a key says what they are', () => {
+  const storeys = (count: number) =>
+    planOf({
+      storeys: [
+        {
+          rooms: Array.from({ length: count }, (_, i) => ({
+            ...{ name: i === 3 ? 'Bath' : `Room ${i + 1}`, height: 2.5, confidence: 1 },
+            outline: { outer: i === 0 ? rectangle(-4, 0, 3, 3) : rectangle(0.8 * i, 0, 0.7, 0.7), holes: [] },
+          })),
+        },
+      ],
+    }).storeys;
+  const place = (count: number) => {
+    const [storey] = storeys(count);
+    const extent = boundsOf(mapped(rectangle(-4, 0, 4 + 0.8 * count, 3), TO_SHEET));
+    return placeLabels({ storey, planToSheet: TO_SHEET, unit: 'm', extent });
+  };
+  expect(place(7).key).toEqual([]);
+  expect(place(7).labels.filter(isLedOut)).toHaveLength(6);
+  const { labels, key } = place(8);
+  expect(labels.filter(isLedOut)).toEqual([]);
+  expect(key.map(({ number }) => number)).toEqual(['2', '3', '4', '5', '6', '7', '8']);
+  expect(key[2].words).toBe('Bath, 0.49 m²');
+  const texts = labels.flatMap(({ items }) => items.map((item) => item.kind === 'text' && item.text));
+  for (const { number } of key) expect(texts).toContain(number);
 });
 
 test('no label leaves its room but by a line, and none lies on another', () => {
@@ -109,7 +136,8 @@ test('a label keeps off the edges of furniture, and stands on them only where no
       ],
     });
     const extent = boundsOf(mapped(room.outline.outer, TO_SHEET));
-    const [label] = placeLabels({ storey: storeys[0], planToSheet: TO_SHEET, unit: 'm', extent });
+    const { labels } = placeLabels({ storey: storeys[0], planToSheet: TO_SHEET, unit: 'm', extent });
+    const [label] = labels;
     return { label, meets: meetsEdges([mapped(table, TO_SHEET)], label.box) };
   };
   const beside = withTable(rectangle(2.2, 1.8, 0.5, 0.4));
@@ -127,7 +155,7 @@ test('a name led out keeps off the chains of dimensions', () => {
   const { storeys } = planOf({ storeys: [{ rooms }] });
   const extent = boundsOf(mapped(rectangle(0, 0, 0.9, 0.4), TO_SHEET));
   const place = (taken: readonly Bounds[]) =>
-    placeLabels({ storey: storeys[0], planToSheet: TO_SHEET, unit: 'm', extent, taken });
+    placeLabels({ storey: storeys[0], planToSheet: TO_SHEET, unit: 'm', extent, taken }).labels;
   const chain = place([])[1].box;
   for (const { box } of place([chain])) expect(boundsMeet(box, chain)).toBe(false);
 });
