@@ -22,7 +22,9 @@ export function withPartners(
   const known = supports.map(knownStretch);
   return supports.map((support, i) => {
     const face = faces[i];
-    const others = faces.flatMap((other, j) => (j !== i && isParallel(face, other) ? [j] : []));
+    const others = faces.flatMap((other, j) =>
+      j !== i && isParallel(face, other) && runsNear(face, support, other, supports[j]) ? [j] : [],
+    );
     const shares = support.shares.slice();
     for (const side of [1, -1]) {
       for (const stretch of backedStretches({ faces, supports, known, i, others, side })) {
@@ -32,6 +34,17 @@ export function withPartners(
     return { ...support, shares };
   });
 }
+
+/** Whether a parallel face comes, somewhere along one, no farther from it than a wall is thick. */
+function runsNear(face: Face, support: FaceSupport, other: Face, others: FaceSupport): boolean {
+  const ends = [support.from, endOf(support)].map((along) => pointOn(face, along));
+  const [from, to] = ends.map((end) => alongOf(other, ...end)).sort((a, b) => a - b);
+  if (to < others.from || from > endOf(others)) return false;
+  const [here, there] = ends.map((end) => behindOf(face, other, 1, end));
+  return here * there < 0 || Math.min(Math.abs(here), Math.abs(there)) < THICKEST_WALL;
+}
+
+const endOf = ({ from, step, shares }: FaceSupport): number => from + shares.length * step;
 
 /** A bit of a face with a standing one behind it, signed distance along the face's normal. */
 interface BackedBit {
@@ -45,7 +58,7 @@ interface Backing {
   readonly supports: readonly FaceSupport[];
   readonly known: readonly KnownStretch[];
   readonly i: number;
-  /** Those parallel to it. */
+  /** Those parallel to it and near. */
   readonly others: readonly number[];
   readonly side: number;
 }
