@@ -9,6 +9,9 @@ const MOST_TURN = Math.PI / 18;
 const LEAST_ASIDE = 0.015;
 /** … where both run side by side for so long, m; the other may end there only because the first took its columns. */
 const LEAST_BESIDE = 0.5;
+/** … unless that is so many times shorter and was seen so many times less densely: a picture on the wall. */
+const TIMES_SHORTER = 4;
+const TIMES_SPARSER = 4;
 
 /** A face that is none, with one that is. */
 export interface Straddling {
@@ -25,7 +28,11 @@ export interface Straddling {
 export function findStraddling(faces: readonly Face[]): Straddling[] {
   return faces.flatMap((face) => {
     const other = faces.find(
-      (each) => face.noise > NOISES * each.noise && turnOf(face, each) < MOST_TURN && crosses(face, each),
+      (each) =>
+        face.noise > NOISES * each.noise &&
+        turnOf(face, each) < MOST_TURN &&
+        crosses(face, each) &&
+        !isOnWall(each, face),
     );
     return other ? [{ face, other }] : [];
   });
@@ -33,6 +40,12 @@ export function findStraddling(faces: readonly Face[]): Straddling[] {
 
 function turnOf(a: Face, b: Face): number {
   return turnBetween(Math.atan2(a.ny, a.nx), Math.atan2(b.ny, b.nx));
+}
+
+/** Whether a face is of something that hangs on another, of which little was seen. */
+function isOnWall(face: Face, wall: Face): boolean {
+  const [length, whole] = [face, wall].map(({ from, to }) => to - from);
+  return TIMES_SHORTER * length < whole && (TIMES_SPARSER * face.support) / length < wall.support / whole;
 }
 
 /** Whether a face comes off to both sides of the line of another that it runs beside. */

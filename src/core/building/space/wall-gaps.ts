@@ -1,12 +1,15 @@
 import type { SeenSpace } from '../columns/seen-space.ts';
 import { alongOf, behindOf, crossingOf, type Face, isParallel, pointOn } from '../faces/face.ts';
-import { type FaceAmong, wallAt } from '../faces/face-support.ts';
+import { type FaceAmong, type FaceSupport, wallAt } from '../faces/face-support.ts';
 import { LONGEST, NEAR_END, OPEN_SHARE } from './wall-corners.ts';
 
 /** Widest passage that a wall is taken to go on over, m. */
 const WIDEST_PASSAGE = 2.5;
 /** Over such a width, space seen on less than this share of it does not interrupt the wall. */
 const HALF_OPEN = 0.5;
+
+/** No corridor is narrower, m. */
+const NARROWEST_CORRIDOR = 0.8;
 
 /** Places along a gap are so far apart, m. */
 const PLACE = 0.05;
@@ -27,6 +30,11 @@ const NICHE_END = 0.1;
 /** A niche is no deeper than this, m: deeper ones are rooms. */
 const DEEPEST_NICHE = 0.75;
 
+/** What stands so near behind a gap, m, is the wall itself, in another line than the face: hardly a wall is thinner. Thin ones have room behind … */
+const SAME_WALL = 0.08;
+/** … this far past their other face, m. */
+const PAST_WALL = 0.1;
+
 /** A gap of a face, from one place along it to another, m. */
 export interface GapPlace extends FaceAmong {
   readonly begin: number;
@@ -36,6 +44,7 @@ export interface GapPlace extends FaceAmong {
 /** Whether a wall goes on over a gap: nothing was seen there, or it is a passage. */
 export function goesOnOver(gap: GapPlace, seen: SeenSpace): boolean {
   const { faces, i, begin, end } = gap;
+  if ([1, -1].some((side) => isWallBehind(gap, side, seen)) || crossesCorridor(gap, seen)) return false;
   const open = openShare(faces[i], begin, end, seen);
   if (end - begin > WIDEST_PASSAGE) return end - begin <= LONGEST && open <= OPEN_SHARE;
   return (open <= HALF_OPEN && !isAsOpenAsBeside(gap, seen)) || isPassage(gap);
@@ -58,6 +67,31 @@ function isAsOpenAsBeside({ faces, i, begin, end }: GapPlace, seen: SeenSpace): 
   return inside >= HALF_OPEN * Math.min(...besides);
 }
 
+/**
+ * Whether from wall to wall across a gap the floor or the ceiling was seen on both sides of the line, and nothing on it: a corridor
+ * passes through, of which rows of points far apart may show no ceiling on the line itself.
+ */
+function crossesCorridor({ faces, own, i, begin, end }: GapPlace, seen: SeenSpace): boolean {
+  const walls = faces.flatMap((other, j) => {
+    const place = crossingOf(faces[i], other);
+    const along = place === null ? end : alongOf(faces[i], ...place);
+    if (place === null || along <= begin || along >= end) return [];
+    return [1, -1].some((side) => standsAside({ faces, own, i }, j, place, side)) ? [along] : [];
+  });
+  const isFree = (from: number, to: number) =>
+    seenShare(own[i], from, to) <= OPEN_SHARE &&
+    [INSIDE, -INSIDE].every(
+      (across) => shareOf(from, to, (along) => seen.isOpen(...pointOn(faces[i], along, across))) >= HALF_OPEN,
+    );
+  walls.sort((a, b) => a - b);
+  return walls.slice(1).some((to, k) => to - walls[k] >= NARROWEST_CORRIDOR && isFree(walls[k], to));
+}
+
+/** Share of a stretch of a face on which anything was seen. */
+function seenShare({ from, step, isSeen }: FaceSupport, begin: number, end: number): number {
+  return shareOf(begin, end, (along) => isSeen[Math.floor((along - from) / step)] === 1);
+}
+
 function meanOf(values: readonly number[]): number {
   return values.reduce((sum, value) => sum + value, 0) / values.length;
 }
@@ -75,12 +109,17 @@ function longestHidden(face: Face, begin: number, end: number, seen: SeenSpace):
 
 /** Share of a stretch on which space was seen, `across` off it, m. */
 function openShare(face: Face, begin: number, end: number, seen: SeenSpace, across = 0): number {
-  let [open, count] = [0, 0];
+  return shareOf(begin, end, (along) => seen.at(...pointOn(face, along, across)));
+}
+
+/** Share of the places along a stretch at which something holds. */
+function shareOf(begin: number, end: number, holds: (along: number) => boolean): number {
+  let [held, count] = [0, 0];
   for (let along = begin + PLACE / 2; along < end; along += PLACE) {
     count++;
-    if (seen.at(...pointOn(face, along, across))) open++;
+    if (holds(along)) held++;
   }
-  return open / Math.max(1, count);
+  return held / Math.max(1, count);
 }
 
 /**
@@ -93,6 +132,21 @@ function isPassage(gap: GapPlace): boolean {
   const isNarrowing = [1, -1].every((side) => [begin, end].some((along) => !passesBy(gap, along, side)));
   if (!isNarrowing) return false;
   return ![1, -1].some((side) => hasNicheBack(gap, side));
+}
+
+/** Whether over most of a gap a wall was seen just behind it, with no room behind that: the wall, which does not go on in this line. */
+function isWallBehind({ faces, own, i, begin, end }: GapPlace, side: number, seen: SeenSpace): boolean {
+  const face = faces[i];
+  const others = faces.flatMap((other, j) => (i !== j && isParallel(face, other) ? [j] : []));
+  const isBehind = (along: number) => {
+    const place = pointOn(face, along);
+    return others.some((j) => {
+      const deep = behindOf(face, faces[j], side, place);
+      if (deep <= 0 || deep > SAME_WALL || !wallAt(own[j], alongOf(faces[j], ...place))) return false;
+      return !seen.at(...pointOn(face, along, side * (deep + PAST_WALL)));
+    });
+  };
+  return shareOf(begin, end, isBehind) > 0.5;
 }
 
 /** Whether a wall stands behind a gap on one side, over most of its width but for a window. */
@@ -123,10 +177,17 @@ function passesBy({ faces, own, i }: FaceAmong, along: number, side: number): bo
   return faces.some((other, j) => {
     const place = crossingOf(face, other);
     if (place === null || Math.abs(alongOf(face, ...place) - along) > NEAR_END) return false;
-    const [x, y] = place;
-    // There may be a door beside the gap.
-    return PASSING.some((off) =>
-      wallAt(own[j], alongOf(other, x + side * off * face.nx, y + side * off * face.ny)),
-    );
+    return standsAside({ faces, own, i }, j, place, side);
   });
+}
+
+/** Whether a face that crosses another at a place stands on one side of it, be there a door beside. */
+function standsAside(
+  { faces, own, i }: FaceAmong,
+  j: number,
+  [x, y]: readonly [number, number],
+  side: number,
+): boolean {
+  const { nx, ny } = faces[i];
+  return PASSING.some((off) => wallAt(own[j], alongOf(faces[j], x + side * off * nx, y + side * off * ny)));
 }

@@ -27,3 +27,11 @@ test('as sharp as the others, it is a skew wall', () => {
 test('walls that meet at a wide angle end to end are two', () => {
   expect(findStraddling([...faces, face([6, NORTH], [12, NORTH + 0.6], 0.025)])).toEqual([]);
 });
+
+test('a picture on a wall does not make a wavy one none', () => {
+  const wavy = { ...face([0, -0.02], [4, 0.02], 0.02), support: 4000 };
+  const picture = { ...face([1.5, 0], [2.1, 0], 0.004), support: 80 };
+  expect(findStraddling([wavy, picture])).toEqual([]);
+  expect(findStraddling([wavy, { ...picture, support: 400 }])).toHaveLength(1);
+  expect(findStraddling([wavy, { ...face([1.5, 0], [3, 0], 0.004), support: 200 }])).toHaveLength(1);
+});

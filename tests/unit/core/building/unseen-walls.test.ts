@@ -114,6 +114,42 @@ describe('a gap of a wall where a corridor leads off', () => {
   });
 });
 
+describe('a gap of a wall', () => {
+  const bothOf = (a: ReturnType<typeof wall>, b: ReturnType<typeof wall>) => {
+    const shares = a.own.shares.map((share, k) => Math.max(share, b.own.shares[k]));
+    const own = { ...a.own, shares, isSeen: Uint8Array.from(shares) };
+    return { face: { ...a.face, from: b.face.from }, own };
+  };
+
+  /** Whether the first wall is taken to stand at x = 4. */
+  function isTaken(walls: ReturnType<typeof wall>[], at: SeenSpace['at'], isOpen = at): boolean {
+    const none = new Uint8Array(0);
+    const [{ from, shares }] = takenSupport(
+      walls.map(({ face }) => face),
+      walls.map(({ own }) => own),
+      { isSeen: none, isBetween: none, at, isOpen },
+    );
+    return shares[Math.floor((-4 - from) / STEP)] >= WALL_SHARE;
+  }
+
+  it('that a corridor crosses stays open where its floor was seen, though no ceiling was on the very line', () => {
+    const walls = [
+      bothOf(wall('y', 4, 1, 3), wall('y', 4, 5.8, 8)),
+      wall('x', 3.3, 0, 8),
+      wall('x', 5, 0, 8),
+    ];
+    const isUnseen = () => false;
+    expect(isTaken(walls, isUnseen, (x) => x > 3.3 && x < 5)).toBe(false);
+    expect(isTaken(walls, isUnseen, (x) => x > 4.6 && x < 5)).toBe(true);
+  });
+
+  it('behind which a wall was seen is no wall, but where a room is behind: one face of a thin one', () => {
+    const walls = [bothOf(wall('y', 4, 1, 3), wall('y', 4, 5, 8)), wall('y', 4.06, 3, 5)];
+    expect(isTaken(walls, (_, y) => y < 3.95)).toBe(false);
+    expect(isTaken(walls, (_, y) => y < 3.95 || y > 4.1)).toBe(true);
+  });
+});
+
 describe('a wall of which one face was seen', () => {
   // Its other face is one of two lines: one stands near by over much, one far off over little.
   const walls = [wall('y', 4, 0, 1), wall('y', 4.19, 5, 9.5), wall('y', 4.36, 0, 10)];
