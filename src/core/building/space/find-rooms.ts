@@ -11,6 +11,7 @@ import { type Arrangement, arrange } from './arrangement.ts';
 import { endedAtWalls, withCurves } from './curved-walls.ts';
 import { RETURN_LINE, type Segment } from './cut-segments.ts';
 import type { FoundRooms, WallFace, WallFaces } from './found-rooms.ts';
+import { glassFronts } from './glass-fronts.ts';
 import { labelSpace } from './label-space.ts';
 import { missingBacks } from './missing-backs.ts';
 import { withoutNecks } from './necks.ts';
@@ -31,9 +32,12 @@ const LEAST_HELD = 0.5;
 /** The rooms of a storey; none where walls and space seen do not agree. */
 export function findRooms(cloud: PointCloud, columns: HeightColumns, ceiling: LocalCeiling): FoundRooms {
   const seen = seenSpace(columns);
-  const walls = wallFaces({ cloud, columns, ceiling });
+  const standing = wallFaces({ cloud, columns, ceiling });
   const site: EndSite = { cloud, columns, seen };
-  const first = subdivide(walls, site);
+  const bare = subdivide(standing, site);
+  const fronts = glassFronts(bare, standing, columns, seen);
+  const walls = joined(standing, fronts);
+  const first = fronts.faces.length === 0 ? bare : subdivide(walls, site);
   const backs = missingBacks(first, walls, site);
   const found = backs.faces.length === 0 ? first : subdivide(joined(walls, backs), site);
   return holdWhatWasSeen(found, columns, seen) ? found : { ...found, rooms: [] };

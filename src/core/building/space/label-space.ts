@@ -39,7 +39,7 @@ export function labelSpace(
   { isSeen, isBetween }: SeenSpace,
   support: Float64Array,
 ): Space {
-  const owner = faceOfColumns(arrangement, columns);
+  const owner = columnFaces(arrangement, columns);
   const seen = areasOf(arrangement, columns, owner, isSeen);
   const solid = areasOf(arrangement, columns, owner, isBetween);
   const { face, areas, x, y, origin } = arrangement;
@@ -61,8 +61,8 @@ export function labelSpace(
   return { isRoom: cut.solve(), seen };
 }
 
-/** The face that the middle of each column lies in; −1 outside all. */
-function faceOfColumns(arrangement: Arrangement, { count, table, size }: HeightColumns): Int32Array {
+/** The face that the middle of each column lies in; −1 outside all. O(columns). */
+export function columnFaces(arrangement: Arrangement, { count, table, size }: HeightColumns): Int32Array {
   const { areas, x, y, origin, next, faceEdge } = arrangement;
   const owner = new Int32Array(count).fill(-1);
   // The largest first, so that what lies within a face has the last word.

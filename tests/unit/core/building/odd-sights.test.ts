@@ -11,6 +11,7 @@ import {
 } from '../../../../fixtures/simulator/surroundings.ts';
 import { variedBuilding } from '../../../../fixtures/simulator/varied-buildings.ts';
 import { createStrokeTest } from '../../../../src/cli/canvas-stroke.ts';
+import { areaOf } from '../../../../src/core/geometry/areas.ts';
 import { blobSource } from '../../../../src/read/bytes/blob-source.ts';
 import { Session } from '../../../../src/session/session.ts';
 import { measurePlan } from '../../../accuracy/measure.ts';
@@ -77,6 +78,27 @@ it('rooms end at a glass front', async () => {
   const { measures } = await measured({ name: 'glass-front', building });
   expect(measures).toMatchObject({ roomF1: 1, invalidCount: 0 });
   expect(measures.footprintIou).toBeGreaterThan(0.99);
+});
+
+it('a room ends at a wall that is glass from floor to ceiling', async () => {
+  const front = {
+    kind: 'window',
+    from: [13.33, 0.13],
+    to: [13.33, 8.67],
+    sill: 0,
+    head: 2.9,
+    thickness: 0.36,
+  } as const;
+  const building = changed(sampleOffice(), (storey) => {
+    const openings = storey.openings.filter(({ from }) => from[0] < 13);
+    return withGlassFront(withOutdoors({ ...storey, openings }), front);
+  });
+  const { plan, measures } = await measured({ name: 'glass-wall', building });
+  expect(measures).toMatchObject({ roomF1: 1, invalidCount: 0 });
+  expect(measures.footprintIou).toBeGreaterThan(0.98);
+  const areas = plan.storeys[0].rooms.map(({ outline }) => areaOf([outline]));
+  // The panes are in the middle of the wall.
+  expect(Math.max(...areas)).toBeCloseTo(4.7 * 8.7 + 0.18 * 8.54, 0);
 });
 
 it('a room that nobody entered is not invented', async () => {
