@@ -1,4 +1,4 @@
-import { withoutHairlines } from '../core/geometry/areas.ts';
+import { areaOf, closed, withoutHairlines } from '../core/geometry/areas.ts';
 import type { Circle } from '../core/geometry/circle.ts';
 import { withArcs } from '../core/geometry/ring-arcs.ts';
 import { orientRing, pointInRing, ringsOf } from '../core/geometry/rings.ts';
@@ -33,7 +33,8 @@ export interface RoundedPolygon {
  *
  * Vertices that rounding makes one are written once, holes left without area go, and rings turn as asked for after rounding,
  * which may turn a sliver over. A polygon that stays sound keeps all else; another loses its hairline gaps, or is cut where
- * its rings all but touch, and of its pieces those without a width that rounding leaves are left out.
+ * its rings all but touch, and of its pieces those without a width that rounding leaves are left out. Where cutting helps
+ * nothing, a slit that leads into it say, all its gaps of a hairline are filled.
  *
  * @param polygon metres; rings in any turn
  * @param place from plan metres to the file's rounded coordinates, keeping the turn of rings
@@ -42,10 +43,22 @@ export interface RoundedPolygon {
 export function roundedPolygons(
   polygon: Polygon,
   place: (x: number, y: number) => Position,
-  { circles, metresPerUnit }: FileCurves = { circles: [], metresPerUnit: 1 },
+  curves: FileCurves = { circles: [], metresPerUnit: 1 },
 ): RoundedPolygon[] {
+  const cut = soundPieces([polygon], place, curves);
+  if (cut.lost.length === 0) return cut.done;
+  const filled = soundPieces(closed([polygon], HAIRLINE), place, curves);
+  return areaOf(filled.lost) < areaOf(cut.lost) ? filled.done : cut.done;
+}
+
+/** Pieces of polygons that are sound when rounded, and those that were not to be had. */
+function soundPieces(
+  polygons: readonly Polygon[],
+  place: (x: number, y: number) => Position,
+  { circles, metresPerUnit }: FileCurves,
+): { readonly done: RoundedPolygon[]; readonly lost: readonly Polygon[] } {
   const done: RoundedPolygon[] = [];
-  let waiting: readonly Polygon[] = [polygon];
+  let waiting = polygons;
   for (let round = 0; round <= ROUNDS + 1 && waiting.length > 0; round++) {
     const unsound: Polygon[] = [];
     for (const piece of waiting) {
@@ -58,7 +71,7 @@ export function roundedPolygons(
       round === 0 ? withoutHairlines([piece], HAIRLINE) : separatePinches([piece], 2 ** (round - 1)),
     );
   }
-  return done;
+  return { done, lost: waiting };
 }
 
 /** Null where rounding leaves no area. */

@@ -79,3 +79,13 @@ test('a gap in a wall that rounding closes is filled', () => {
   expect(written.map(({ rounded: { outer } }) => outer.length)).toEqual([8]);
   expect(polygonArea(written[0].rounded)).toBeCloseTo(0.4, 9);
 });
+
+test('a wall into which a slit of a micrometre leads, with a hole at its end, stays', () => {
+  const slit = [-1.517958, -2.852611, -1.446376, -2.838685, -1.446551, -2.836869, -1.437038, -2.836869];
+  const end = [-1.418993, -2.833359, -1.51796, -2.852612, -1.477343, -3.061408, -1.455544, -3.085325];
+  const side = [-1.374869, -2.966283, -1.398585, -2.832556, -1.39836, 0.328083, -1.517733, 0.32809];
+  const given = { outer: Float64Array.of(...side, ...slit, ...end), holes: [] };
+  const written = roundedPolygons(given, place).map((one) => one.rounded);
+  expect(written.flatMap((one) => polygonProblems(one))).toEqual([]);
+  expect(written.reduce((sum, one) => sum + polygonArea(one), 0)).toBeCloseTo(polygonArea(given), 3);
+});

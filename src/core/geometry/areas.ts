@@ -59,8 +59,13 @@ export function grow(polygons: readonly Polygon[], distance: number): Polygon[] 
 
 /** An area without gaps narrower than a width, m, within it or between its polygons; where there are none, as it was. */
 export function withoutHairlines(polygons: readonly Polygon[], width: number): readonly Polygon[] {
-  const closed = grow(grow(polygons, width / 2), -width / 2);
-  return vertexCount(closed) < vertexCount(polygons) ? closed : polygons;
+  const filled = closed(polygons, width);
+  return vertexCount(filled) < vertexCount(polygons) ? filled : polygons;
+}
+
+/** An area with all gaps narrower than a width filled, m; vertices move by steps of the grid. */
+export function closed(polygons: readonly Polygon[], width: number): Polygon[] {
+  return grow(grow(polygons, width / 2), -width / 2);
 }
 
 /** Area of polygons that do not overlap, m². */
