@@ -16,6 +16,9 @@ const FOUR_WAYS = [
   [1, -1],
 ] as const;
 
+/** Along a hidden stretch, or between the faces of a wall, hardly any place shows a floor or a ceiling. */
+export const OPEN_SHARE = 0.15;
+
 /** Where a floor or a ceiling was seen and nothing stands. */
 export interface SeenSpace {
   /** 1 for the columns that are clear, as their neighbours are, and seen. */

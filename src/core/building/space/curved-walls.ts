@@ -1,8 +1,8 @@
-import type { SeenSpace } from '../columns/seen-space.ts';
+import { OPEN_SHARE, type SeenSpace } from '../columns/seen-space.ts';
 import { alongOf, asideOf, endsOf, pointOn } from '../faces/face.ts';
 import { type FaceSupport, TAKEN_SHARE, WALL_SHARE } from '../faces/face-support.ts';
 import type { WallFace, WallFaces } from './found-rooms.ts';
-import { NEAR_END, OPEN_SHARE } from './wall-corners.ts';
+import { NEAR_END } from './wall-corners.ts';
 
 /** A curve is drawn past the line of the wall it ends at by so much, m: the two are sure to cross. */
 const PAST = 0.02;

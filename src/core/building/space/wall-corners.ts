@@ -1,11 +1,10 @@
-import type { SeenSpace } from '../columns/seen-space.ts';
+import { OPEN_SHARE, type SeenSpace } from '../columns/seen-space.ts';
 import { alongOf, crossingOf, type Face, pointOn } from '../faces/face.ts';
-import { type FaceSupport, TAKEN_SHARE, WALL_SHARE } from '../faces/face-support.ts';
+import { type FaceAmong, type FaceSupport, TAKEN_SHARE, WALL_SHARE } from '../faces/face-support.ts';
+import { isDeep } from './deep-stretch.ts';
 
 /** A wall that stands within this of where another's line crosses its own meets it, m: with the thickness of a wall between. */
 export const NEAR_END = 0.3;
-/** Along a hidden stretch, or between the faces of a wall, hardly any place shows a floor or a ceiling. */
-export const OPEN_SHARE = 0.15;
 /** How far a wall is taken to go on unseen to the corner with another, m: behind a row of wardrobes. */
 export const LONGEST = 3.5;
 /** Walls seen over less than this, m, may be columns or furniture: they do not go on. */
@@ -25,7 +24,8 @@ const CEILING_LOOK = 0.2;
 
 /**
  * Lets walls go on from where they were last seen to the farthest other wall, where no space is seen on the way: furniture
- * stands in many a corner. They go on no farther than they are known to stand.
+ * stands in many a corner. They go on no farther than they are known to stand, but deep in what is hidden: between rows of
+ * cupboards back to back, of whose wall a stub is seen.
  *
  * Not taken: as far from walls of any length (footprints of hard scenes .982 → .972: fronts of cupboards go on); to look
  * for space on the line alone, which lies before the wall as often as behind it (rooms of hard scenes .964 → .914: walls
@@ -45,6 +45,7 @@ export function withCorners(
   const walls = faces.map(
     (face, i): SeenWall => ({
       face,
+      among: { faces, own, i },
       own: own[i],
       stands: [...own[i].shares.keys()].filter((k) => own[i].shares[k] >= WALL_SHARE),
       farthest: Math.min(
@@ -63,10 +64,11 @@ export function withCorners(
 
 interface SeenWall {
   readonly face: Face;
+  readonly among: FaceAmong;
   readonly own: FaceSupport;
   /** Bits of it that were seen to stand. */
   readonly stands: readonly number[];
-  /** How far it may go on unseen, m. */
+  /** How far it is known to stand, and may go on unseen, m. */
   readonly farthest: number;
   readonly seen: SeenSpace;
 }
@@ -102,9 +104,13 @@ function wayOn(wall: SeenWall, end: number, ways: readonly number[], side: numbe
   const met = ways.filter((way) => Math.abs(way) <= AT_CORNER);
   const isBehind = (way: number) => met.some((at) => way > Math.abs(at) && way <= at + THICKEST_WALL);
   return ways
-    .filter((way) => way > 0 && way <= wall.farthest && !isBehind(way))
+    .filter((way) => way > 0 && way <= LONGEST && !isBehind(way))
     .sort((a, b) => b - a)
-    .find((way) => isUnseen(wall, end, end + side * way));
+    .find((way) => {
+      const [from, to] = [end, end + side * way].sort((a, b) => a - b);
+      if (!isUnseen(wall, from, to)) return false;
+      return way <= wall.farthest || isDeep({ ...wall.among, from, to }, wall.seen);
+    });
 }
 
 /** Where along a wall another meets it, m, if that one stands there or goes on to there unseen; null elsewhere. */

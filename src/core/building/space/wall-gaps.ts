@@ -1,7 +1,7 @@
-import type { SeenSpace } from '../columns/seen-space.ts';
+import { OPEN_SHARE, type SeenSpace } from '../columns/seen-space.ts';
 import { alongOf, behindOf, crossingOf, type Face, isParallel, pointOn } from '../faces/face.ts';
 import { type FaceAmong, type FaceSupport, wallAt } from '../faces/face-support.ts';
-import { LONGEST, NEAR_END, OPEN_SHARE } from './wall-corners.ts';
+import { LONGEST, NEAR_END } from './wall-corners.ts';
 
 /** Widest passage that a wall is taken to go on over, m. */
 const WIDEST_PASSAGE = 2.5;

@@ -1,7 +1,7 @@
-import type { SeenSpace } from '../columns/seen-space.ts';
+import { OPEN_SHARE, type SeenSpace } from '../columns/seen-space.ts';
 import { alongOf, behindOf, type Face, isParallel, pointOn } from '../faces/face.ts';
 import { type FaceSupport, TAKEN_SHARE, WALL_SHARE, wallAt } from '../faces/face-support.ts';
-import { OPEN_SHARE, THICKEST_WALL, THINNEST_WALL } from './wall-corners.ts';
+import { THICKEST_WALL, THINNEST_WALL } from './wall-corners.ts';
 
 /** A line that was seen no nearer than this, m, tells a wall's thickness if none is known that was seen over so much more. */
 const FAR_OFF = 2;

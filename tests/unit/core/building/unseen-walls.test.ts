@@ -16,7 +16,7 @@ function wall(normal: 'x' | 'y', offset: number, from: number, to: number) {
   const [nx, ny] = normal === 'x' ? [1, 0] : [0, 1];
   // Places along a line run against x where its normal is y.
   const [low, high] = normal === 'x' ? [from, to] : [-to, -from];
-  const face: Face = { nx, ny, offset, from: low, to: high, members: [], noise: 0.005, support: 100 };
+  const face: Face = { nx, ny, offset, from: low, to: high, members: [0], noise: 0.005, support: 100 };
   const begin = normal === 'x' ? 0 : -10;
   const shares = Float64Array.from({ length: Math.round(10 / STEP) }, (_, k) => {
     const along = begin + (k + 0.5) * STEP;
@@ -33,10 +33,10 @@ function wall(normal: 'x' | 'y', offset: number, from: number, to: number) {
 }
 
 /** How far the first wall stands once corners are taken, x or y, m. */
-function endOf(walls: ReturnType<typeof wall>[], isOpen: SeenSpace['isOpen']): number {
+function endOf(walls: ReturnType<typeof wall>[], isOpen: SeenSpace['isOpen'], at = isOpen): number {
   const own = walls.map((each) => each.own);
   const none = new Uint8Array(0);
-  const seen: SeenSpace = { isSeen: none, isBetween: none, at: isOpen, isOpen };
+  const seen: SeenSpace = { isSeen: none, isBetween: none, at, isOpen };
   const [{ from, shares }] = withCorners(
     walls.map(({ face }) => face),
     own,
@@ -63,7 +63,16 @@ describe('a wall that ends short of another', () => {
   });
 
   it('goes on no farther than it is known to stand', () => {
-    expect(endOf([wall('y', 4, 4.2, 5), outer], () => false)).toBeCloseTo(5, 1);
+    expect(endOf([wall('y', 4, 4.2, 5), outer], (_, y) => y < 3.8)).toBeCloseTo(5, 1);
+  });
+
+  it('goes on farther deep in what is hidden, unless another wall was seen there', () => {
+    const [stub, far] = [wall('y', 4, 4.2, 5), wall('x', 7, 0, 8)];
+    const betweenCupboards: SeenSpace['at'] = (_, y) => Math.abs(y - 4) > 0.4;
+    expect(endOf([stub, far], betweenCupboards)).toBeCloseTo(7, 1);
+    expect(endOf([stub, far, wall('y', 4.2, 5.2, 7)], betweenCupboards)).toBeCloseTo(5, 1);
+    // What stands over less of it is a cupboard's side, or its front.
+    expect(endOf([stub, far, wall('y', 4.2, 6.2, 7)], betweenCupboards)).toBeCloseTo(7, 1);
   });
 
   it('ends where another passes by on both sides: beyond is a corridor', () => {
