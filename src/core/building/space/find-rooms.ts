@@ -18,6 +18,7 @@ import { withoutNecks } from './necks.ts';
 import { takenSupport } from './taken-walls.ts';
 import { traceRooms } from './trace-rooms.ts';
 import { type EndSite, wallEnds } from './wall-ends.ts';
+import { withoutWardrobes } from './wardrobes.ts';
 
 /** How far faces are drawn on past their ends to meet others, m: a wall hidden behind a cupboard or two. */
 const REACH = 5;
@@ -38,8 +39,10 @@ export function findRooms(cloud: PointCloud, columns: HeightColumns, ceiling: Lo
   const fronts = glassFronts(bare, standing, columns, seen);
   const walls = joined(standing, fronts);
   const first = fronts.faces.length === 0 ? bare : subdivide(walls, site);
-  const backs = missingBacks(first, walls, site);
-  const found = backs.faces.length === 0 ? first : subdivide(joined(walls, backs), site);
+  const bared = withoutWardrobes(walls, first, seen);
+  const second = bared === walls ? first : subdivide(bared, site);
+  const backs = missingBacks(second, bared, site);
+  const found = backs.faces.length === 0 ? second : subdivide(joined(bared, backs), site);
   return holdWhatWasSeen(found, columns, seen) ? found : { ...found, rooms: [] };
 }
 
