@@ -32,6 +32,9 @@ interface Box {
   readonly uy: number;
   readonly width: number;
   readonly depth: number;
+  /** Its sides' faces lie so far along the wall: past its ends, but where it stands against another wall. */
+  readonly from: number;
+  readonly to: number;
 }
 
 /**
@@ -90,7 +93,9 @@ function boxesOn(ring: Ring): Box[] {
  *
  * @param places along the wall and off it, m
  */
-function sizeOfBox(places: readonly (readonly [number, number])[]): Pick<Box, 'width' | 'depth'> | null {
+function sizeOfBox(
+  places: readonly (readonly [number, number])[],
+): Pick<Box, 'width' | 'depth' | 'from' | 'to'> | null {
   let depth = 0;
   for (let k = 1; k < places.length; k++) {
     const [[width, before], [along, off]] = [places[k - 1], places[k]];
@@ -101,8 +106,10 @@ function sizeOfBox(places: readonly (readonly [number, number])[]): Pick<Box, 'w
       depth = Math.max(depth, off);
       continue;
     }
-    const isEnd = isAcross && depth > 0 && (off > DEEPEST || Math.abs(off) < SAME_LINE);
-    return isEnd && width >= NARROWEST && width <= WIDEST ? { width, depth } : null;
+    const isCorner = off > DEEPEST;
+    const isEnd = isAcross && depth > 0 && (isCorner || Math.abs(off) < SAME_LINE);
+    if (!isEnd || width < NARROWEST || width > WIDEST) return null;
+    return { width, depth, from: -NEAR, to: width + (isCorner ? -NEAR : NEAR) };
   }
   return null;
 }
@@ -113,9 +120,10 @@ function mirrored(ring: Ring): Ring {
   return ring.map((_, i) => (i % 2 === 0 ? -ring[last - i] : ring[last - i + 2]));
 }
 
-function mirroredBox({ x, y, ux, uy, width, depth }: Box): Box {
+function mirroredBox({ x, y, ux, uy, width, depth, from, to }: Box): Box {
   // Along the mirrored wall the box runs the other way.
-  return { x: -(x + ux * width), y: y + uy * width, ux, uy: -uy, width, depth };
+  const [fromThere, toThere] = [width - to, width - from];
+  return { x: -(x + ux * width), y: y + uy * width, ux, uy: -uy, width, depth, from: fromThere, to: toThere };
 }
 
 /** Whether nothing was seen in a box, nor is it in any room. */
@@ -133,8 +141,8 @@ function isUnseen(box: Box, outlines: readonly Polygon[], seen: SeenSpace): bool
 }
 
 /** Whether what stands at a place is a box's front or side. */
-function hasFaceAt({ x, y, ux, uy, width, depth }: Box, px: number, py: number): boolean {
+function hasFaceAt({ x, y, ux, uy, depth, from, to }: Box, px: number, py: number): boolean {
   const along = (px - x) * ux + (py - y) * uy;
   const off = (py - y) * ux - (px - x) * uy;
-  return along > -NEAR && along < width + NEAR && off > NEAR && off < depth + NEAR;
+  return along > from && along < to && off > NEAR && off < depth + NEAR;
 }
