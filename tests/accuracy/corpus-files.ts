@@ -5,7 +5,7 @@ import { availableParallelism } from 'node:os';
 import { join, resolve } from 'node:path';
 import { type SceneSpec, simulate, writePly } from '../../fixtures/simulator/index.ts';
 import { type CorpusTruth, sceneFacts } from './classes.ts';
-import { CORPUS, type CorpusScene } from './corpus.ts';
+import { type CorpusScene, sceneNamed } from './corpus.ts';
 
 const root = resolve(import.meta.dirname, '../..');
 /** What the scenes are made from, beside the simulator. */
@@ -37,11 +37,7 @@ function makeApart(folder: string, names: readonly string[]): Promise<void> {
 }
 
 export function makeScenes(folder: string, names: readonly string[]): void {
-  for (const name of names) {
-    const scene = CORPUS.find((candidate) => candidate.name === name);
-    if (scene === undefined) throw new Error(`the corpus has no scene ${name}`);
-    writeScene(folder, scene.spec());
-  }
+  for (const name of names) writeScene(folder, sceneNamed(name).spec());
 }
 
 function writeScene(folder: string, spec: SceneSpec): void {

@@ -17,14 +17,35 @@ export interface CorpusScene {
   readonly isHeldBack: boolean;
 }
 
-/** Every recipe twice: its even seed is worked with, its odd seed is kept back. */
-export const CORPUS: readonly CorpusScene[] = Object.entries(RECIPES).flatMap(([name, recipe], i) =>
-  [100 + 2 * i, 101 + 2 * i].map((seed) => ({
-    name: `${name}-${seed}`,
-    spec: () => specOf(name, recipe, seed),
-    isHeldBack: seed % 2 === 1,
-  })),
-);
+/** The seeds of a series lie in a thousand of their own. */
+const SERIES_SEEDS = 1000;
+
+/**
+ * Every recipe twice. Of series 0 the even seed is worked with, the odd seed is kept back; all of another series may be looked
+ * at: buildings of the same kinds that nobody has seen.
+ */
+export function corpusOf(series: number): readonly CorpusScene[] {
+  return Object.entries(RECIPES).flatMap(([name, recipe], i) =>
+    [100 + 2 * i, 101 + 2 * i].map((place) => {
+      const seed = SERIES_SEEDS * series + place;
+      return {
+        name: `${name}-${seed}`,
+        spec: () => specOf(name, recipe, seed),
+        isHeldBack: series === 0 && seed % 2 === 1,
+      };
+    }),
+  );
+}
+
+export const CORPUS = corpusOf(0);
+
+/** The scene of a name, of any series. @throws Error where no series has it */
+export function sceneNamed(name: string): CorpusScene {
+  const seed = Number(/\d+$/.exec(name)?.[0]);
+  const scene = corpusOf(Math.floor(seed / SERIES_SEEDS)).find((candidate) => candidate.name === name);
+  if (scene === undefined) throw new Error(`the corpus has no scene ${name}`);
+  return scene;
+}
 
 function specOf(name: string, recipe: Recipe, seed: number): SceneSpec {
   const random = seededRandom(seed, `corpus-${name}`);

@@ -1,14 +1,15 @@
 /**
- * `npm run accuracy -- [DIR] [--held-back] [--only NAME] [--list] [--json FILE] [--out FOLDER] [options for the command]`:
- * plans of scenes with known truth.
+ * `npm run accuracy -- [DIR] [--held-back] [--series N] [--only NAME] [--list] [--json FILE] [--out FOLDER] [OPTIONS]`, with any
+ * options of the command: plans of scenes with known truth.
  *
  * DIR holds scans, with NAME.gt.json beside NAME.ply, NAME.csv … where the truth is known; the others are drawn, to be
- * looked at. Without it the working half of the simulated corpus is run,
- * with --held-back the other half, of which only means are told. --only takes every scene whose name has NAME in it.
+ * looked at. Without it the working half of the simulated corpus is run, with --held-back the other half, of which only means
+ * are told, and with --series 1, 2 … other buildings of the same kinds, all to be looked at. --only takes every scene whose name
+ * has NAME in it.
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { CORPUS } from './corpus.ts';
+import { corpusOf } from './corpus.ts';
 import { corpusFolder } from './corpus-files.ts';
 import { runScene } from './run-scene.ts';
 import { type SceneFiles, scenesIn } from './scene-files.ts';
@@ -20,6 +21,8 @@ interface Arguments {
   /** Null for the corpus. */
   readonly folder: string | null;
   readonly isHeldBack: boolean;
+  /** Of the corpus. */
+  readonly series: number;
   readonly isList: boolean;
   readonly only: string;
   readonly json: string | null;
@@ -40,12 +43,15 @@ function readArguments(words: readonly string[]): Arguments {
   };
   const [isHeldBack, isList] = [has('--held-back'), has('--list')];
   const [only, json, out] = [take('--only') ?? '', take('--json'), take('--out')];
+  const series = Number(take('--series') ?? 0);
+  if (!Number.isInteger(series) || series < 0) throw new Error('--series takes 0, 1, 2 …');
   const hasFolder = rest.length > 0 && !rest[0].startsWith('-');
   const folder = hasFolder ? resolve(rest.shift()!) : null;
   const usual = join(root, isHeldBack ? '.cache/accuracy-held-back' : '.cache/accuracy');
   return {
     folder,
     isHeldBack: isHeldBack && folder === null,
+    series,
     isList,
     only,
     json: json === null ? null : resolve(json),
@@ -54,9 +60,11 @@ function readArguments(words: readonly string[]): Arguments {
   };
 }
 
-async function scenesOf({ folder, isHeldBack, only }: Arguments): Promise<SceneFiles[]> {
+async function scenesOf({ folder, isHeldBack, series, only }: Arguments): Promise<SceneFiles[]> {
   if (folder !== null) return scenesIn(folder).filter(({ name }) => name.includes(only));
-  const chosen = CORPUS.filter((scene) => scene.isHeldBack === isHeldBack && scene.name.includes(only));
+  const chosen = corpusOf(series).filter(
+    (scene) => scene.isHeldBack === isHeldBack && scene.name.includes(only),
+  );
   const made = await corpusFolder(chosen);
   const names = new Set(chosen.map(({ name }) => name));
   return scenesIn(made).filter(({ name }) => names.has(name));
